@@ -1,0 +1,51 @@
+// The background quadtree that holds the density (paper, section 2, Table 1).
+// Density rank i asks for the edge length Δx·2^((i-1)/3); cell rank j has side 4Δx·2^(j-1).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/point.h"
+
+namespace triscope {
+
+enum class CellType : std::uint8_t { outside, boundary, adjacent_boundary, white };
+
+struct Cell {
+  std::int32_t child = -1;  // first of four children (SW, SE, NW, NE), -1 for a leaf
+  std::uint32_t x = 0;      // lower left corner in units of the rank-1 side
+  std::uint32_t y = 0;
+  std::uint8_t rank = 1;     // cell rank j
+  std::uint8_t density = 1;  // density rank i
+  CellType type = CellType::outside;
+  std::uint8_t visited = 0;  // by the advancing front
+};
+
+struct Quadtree {
+  std::vector<Cell> cells;                                     // cells[0] is the root
+  Point origin;                                                // lower left corner of the root
+  double minEdge = 1.0;                                        // Δx
+  [[nodiscard]] double unit() const { return 4.0 * minEdge; }  // side of a rank-1 cell
+  [[nodiscard]] double side(const Cell& c) const { return unit() * static_cast<double>(1ull << (c.rank - 1)); }
+  [[nodiscard]] Point corner(const Cell& c) const {
+    return {origin.x + unit() * static_cast<double>(c.x), origin.y + unit() * static_cast<double>(c.y)};
+  }
+};
+
+/// Edge length of a density rank (>= 1) in units of Δx: 2^((rank-1)/3), exact at ranks 1, 4, 7, …
+double rankLength(int densityRank);
+/// Largest density rank whose edge length is <= length (in units of Δx); at least 1.
+int rankAtMost(double lengthInMinEdges);
+/// Smallest and largest cell rank that may hold a density rank (Table 1).
+int smallestCellRank(int densityRank);
+int largestCellRank(int densityRank);
+/// Table 1, fifth column: 2 (side / h)².
+double trianglesInCell(int cellRank, int densityRank);
+
+/// Leaf that holds p (points outside the root go to the nearest leaf).
+std::int32_t leafAt(const Quadtree& tree, Point p);
+/// Density rank and edge length at p.
+int densityRankAt(const Quadtree& tree, Point p);
+double edgeLengthAt(const Quadtree& tree, Point p);
+
+}  // namespace triscope

@@ -1,0 +1,106 @@
+// One event for each decision: the rule, the subject, the measured value and the limit it was held against,
+// what it made, or why it was refused. "Why is this here?" is answered from these, never computed again.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/point.h"
+#include "core/stage.h"
+
+namespace triscope {
+
+enum class EventKind : std::uint8_t {
+  stage_begun,       // subject: round
+  constraint_found,  // subject: constraint index; measured: length asked for; limit: 0
+  cell_split,        // subject: cell; created: first of its four children
+  cell_ranked,       // subject: cell; measured: new density rank; limit: rank before
+  vertex_inserted,   // subject: triangle id it was proposed for (kNoId when none); vertex: the new one
+  vertex_refused,    // subject: triangle id; at: where it would have gone; refusal: why
+  edge_split,        // vertex: the new one, on the boundary; subject: boundary edge index
+  vertex_removed,    // vertex: gone
+  triangle_removed,  // subject: triangle id
+  edge_flipped,      // subject, other: the two triangle ids before; created: first id after
+  vertex_moved,      // vertex; from -> at
+  vertex_kept,       // vertex; at: where it would have gone; refusal: why
+  stage_finished,    // subject: decisions made in it that changed something
+  failure,           // the method cannot go on; at: where
+};
+
+enum class Rule : std::uint8_t {
+  none,
+  user_request,
+  curvature,
+  corner,
+  gap,
+  short_edge,  // sources of density (section 2)
+  balance,
+  advancing_front,  // quadtree
+  boundary_point,
+  initial,
+  recover_edge,
+  carve,  // boundary and initial triangulation (section 3)
+  first_front,
+  second_front,
+  step1,
+  step2,
+  step3,
+  step4,
+  step5,             // section 3.1
+  split_encroached,  // a proposal that would hit the boundary splits it
+  repair,            // our own: clears what a refusal left behind
+  laplacian,
+  reduce_obtuse,
+  shared_edge,
+  delaunay_flip,  // section 4
+};
+inline constexpr int kRuleCount = static_cast<int>(Rule::delaunay_flip) + 1;
+
+enum class Refusal : std::uint8_t {
+  none,
+  outside_domain,       // the point is not in the domain
+  too_close,            // closer to a vertex than allowed: measured < limit
+  encroaches_boundary,  // it sees a boundary edge under too wide an angle
+  edge_below_minimum,   // an edge would be shorter than Δx
+  inverts_triangle,     // a triangle would turn over
+  star_worse,           // the star would be worse than before
+  bound_broken,         // a bound of section 3 would no longer hold
+  budget_spent,
+};
+inline constexpr int kRefusalCount = static_cast<int>(Refusal::budget_spent) + 1;
+
+inline constexpr std::uint32_t kNoId = 0xffffffffu;
+
+struct Event {
+  EventKind kind = EventKind::stage_begun;
+  Stage stage = Stage::constraints;
+  Rule rule = Rule::none;
+  Refusal refusal = Refusal::none;
+  std::uint16_t round = 0;         // of steps 2-5, or pass of step 6
+  std::uint16_t removedCount = 0;  // triangles that the decision destroyed
+  std::uint32_t subject = kNoId;
+  std::uint32_t other = kNoId;
+  std::uint32_t vertex = kNoId;
+  std::uint32_t created = kNoId;   // first triangle id (or cell) that the decision made
+  std::uint32_t createdCount = 0;  // ids created, created + 1, …
+  double measured = 0.0;
+  double limit = 0.0;
+  Point at;
+  Point from;
+};
+
+/// Where events go. A run without a listener makes none: guard with `if (journal.listening())`.
+struct Journal {
+  std::vector<Event>* events = nullptr;
+  [[nodiscard]] bool listening() const { return events != nullptr; }
+  void record(const Event& event) { events->push_back(event); }
+};
+
+std::string_view name(EventKind kind);
+std::string_view name(Rule rule);      // "step 3"
+std::string_view describe(Rule rule);  // "circumradius R not below the shortest edge e"
+std::string_view name(Refusal refusal);
+std::string_view describe(Refusal refusal);
+
+}  // namespace triscope

@@ -1,0 +1,49 @@
+// The only place where the sign of a determinant is decided.
+// Both predicates are exact for every finite input whose products neither overflow nor underflow
+// (coordinates of magnitude 1e-70 … 1e70 are safe): a static error bound answers nearly always, and
+// expansion arithmetic behind it answers the rest (J. R. Shewchuk, "Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational Geometry 18, 1997).
+#pragma once
+
+#include "core/geometry/point.h"
+
+namespace triscope {
+
+namespace detail {
+/// Exact signs, reached only when the filter below cannot decide.
+int orient2dExact(Point a, Point b, Point c);
+int incircleExact(Point a, Point b, Point c, Point d);
+}  // namespace detail
+
+/// +1 when a, b, c turn left (counter-clockwise), -1 when they turn right, 0 when they are collinear.
+inline int orient2d(Point a, Point b, Point c) {
+  const double left = (a.x - c.x) * (b.y - c.y);
+  const double right = (a.y - c.y) * (b.x - c.x);
+  const double det = left - right;
+  const double bound = 3.3306690738754716e-16 * (std::fabs(left) + std::fabs(right));
+  if (det > bound) return 1;
+  if (det < -bound) return -1;
+  return detail::orient2dExact(a, b, c);
+}
+
+/// +1 when d lies inside the circle through the counter-clockwise a, b, c, -1 outside, 0 on it.
+inline int incircle(Point a, Point b, Point c, Point d) {
+  const double adx = a.x - d.x, ady = a.y - d.y;
+  const double bdx = b.x - d.x, bdy = b.y - d.y;
+  const double cdx = c.x - d.x, cdy = c.y - d.y;
+  const double bc = bdx * cdy, cb = cdx * bdy;
+  const double ca = cdx * ady, ac = adx * cdy;
+  const double ab = adx * bdy, ba = bdx * ady;
+  const double aLift = adx * adx + ady * ady;
+  const double bLift = bdx * bdx + bdy * bdy;
+  const double cLift = cdx * cdx + cdy * cdy;
+  const double det = aLift * (bc - cb) + bLift * (ca - ac) + cLift * (ab - ba);
+  const double permanent = (std::fabs(bc) + std::fabs(cb)) * aLift + (std::fabs(ca) + std::fabs(ac)) * bLift +
+                           (std::fabs(ab) + std::fabs(ba)) * cLift;
+  const double bound = 1.1102230246251577e-15 * permanent;
+  if (det > bound) return 1;
+  if (det < -bound) return -1;
+  return detail::incircleExact(a, b, c, d);
+}
+
+}  // namespace triscope

@@ -1,0 +1,71 @@
+// The triangulation: flat arrays, triangles by index. Shape of a triangle t:
+//
+//            v[2]
+//            /  \            edge i lies opposite v[i], from v[i+1] to v[i+2] (counter-clockwise);
+//     edge 1/    \edge 0     adj[i] is the half-edge on the other side, 3·t' + k, or -1 at the boundary.
+//          /      \          ...
+//       v[0]------v[1]
+//            edge 2
+//
+// Slots are reused; ids are not: id[slot] counts births, so "triangle 5821" is one triangle for good.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/point.h"
+
+namespace triscope {
+
+enum class VertexKind : std::uint8_t {
+  helper,    // corner of the box around everything; gone after carve
+  kept,      // an input point or corner, never moved
+  boundary,  // placed on a boundary curve by the density
+  split,     // placed on a boundary curve by splitting an edge
+  front1,
+  front2,
+  steiner,  // steps 1-5
+  removed,  // no longer in the mesh; its index is never used again
+};
+
+struct Triangle {
+  std::array<std::int32_t, 3> v{-1, -1, -1};
+  std::array<std::int32_t, 3> adj{-1, -1, -1};
+};
+
+/// A piece of a boundary curve between two vertices, curve(t0) = point v0, curve(t1) = point v1.
+struct BoundaryEdge {
+  std::int32_t v0 = -1;
+  std::int32_t v1 = -1;
+  std::uint32_t curve = 0;
+  std::int32_t next0 = -1;  // next boundary edge in the list of v0, of v1
+  std::int32_t next1 = -1;
+  double t0 = 0.0;
+  double t1 = 1.0;
+};
+
+/// Bits of Mesh::flags.
+inline constexpr std::uint8_t kConstrained0 = 1;  // edge i is on the boundary or an inner chain: 1 << i
+inline constexpr std::uint8_t kDead = 8;          // free slot
+inline constexpr std::uint8_t kQueued = 16;       // waits in a worklist
+
+struct Mesh {
+  std::vector<Point> points;
+  std::vector<VertexKind> kinds;             // per vertex
+  std::vector<std::uint8_t> density;         // per vertex: density rank where it was placed
+  std::vector<std::int32_t> vertexTriangle;  // per vertex: a live triangle around it, -1 when none
+  std::vector<std::int32_t> vertexEdge;      // per vertex: first boundary edge in its list, -1 when none
+  std::vector<Triangle> triangles;           // per slot
+  std::vector<std::uint32_t> ids;            // per slot
+  std::vector<std::uint8_t> flags;           // per slot
+  std::vector<std::int32_t> freeSlots;       // last freed, first reused
+  std::vector<BoundaryEdge> edges;
+  std::uint32_t nextId = 0;
+  std::int32_t lastTriangle = 0;  // where the next walk starts
+
+  [[nodiscard]] bool alive(std::int32_t slot) const { return (flags[static_cast<std::size_t>(slot)] & kDead) == 0; }
+  [[nodiscard]] std::size_t liveCount() const { return triangles.size() - freeSlots.size(); }
+};
+
+}  // namespace triscope

@@ -1,0 +1,32 @@
+// A checker that names what is broken and repairs nothing.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace triscope {
+
+enum class Broken : std::uint8_t {
+  link,         // neighbours disagree, or share other vertices than they say
+  orientation,  // a triangle is not counter-clockwise (exact)
+  delaunay,     // an unconstrained edge is not locally Delaunay (exact)
+  boundary,     // a boundary edge is not an edge of the mesh, or a mesh border is no boundary edge
+  vertex,       // vertexTriangle is wrong, or a vertex has no triangle
+  duplicate,    // two vertices at the same place
+};
+
+struct Violation {
+  Broken what = Broken::link;
+  std::int32_t triangle = -1;  // slot
+  std::int32_t vertex = -1;
+  Point at;
+  std::string message;
+};
+
+/// At most `limit` violations, in a fixed order. Empty: the mesh is a valid constrained Delaunay triangulation.
+std::vector<Violation> validate(const Mesh& mesh, std::size_t limit = 20);
+
+}  // namespace triscope

@@ -1,0 +1,42 @@
+// The stage table, and the one way to carry a state on.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/event.h"
+#include "core/result.h"
+#include "core/state.h"
+
+namespace triscope {
+
+enum class Outcome : std::uint8_t {
+  decided,   // a decision was made that inserted no point
+  inserted,  // a decision was made that inserted a point
+  done,      // the stage has nothing left to do; nothing was changed
+};
+
+struct StageInfo {
+  Stage id;
+  std::string_view name;    // "step 3"
+  std::string_view key;     // "step3": command line, files
+  std::string_view does;    // one line
+  std::string_view figure;  // of the paper, may be empty
+  Outcome (*runOne)(MeshState&, Journal&);
+};
+
+/// One entry per Stage, in order; `finished` has no runOne.
+std::span<const StageInfo> stages();
+inline const StageInfo& infoOf(Stage stage) { return stages()[static_cast<std::size_t>(stage)]; }
+
+enum class Grain : std::uint8_t { decision, insertion, stage, round, all };
+
+/// A state at the start of the first stage. Derives Δx when neither the settings nor the domain give one.
+Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& settings);
+
+/// Carries the state on by one grain. Returns false when there was nothing left to do.
+bool advance(MeshState& state, Grain grain, Journal& journal);
+/// Carries on until `stage` is over (or at most `limit` decisions). Returns true while there is more to do before it.
+bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal);
+
+}  // namespace triscope

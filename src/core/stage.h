@@ -1,0 +1,29 @@
+// The stages of the method in the order they run. The table with what each does is in pipeline.h.
+#pragma once
+
+#include <cstdint>
+
+namespace triscope {
+
+enum class Stage : std::uint8_t {
+  constraints,    // Figure 1 (a)
+  quadtree,       // Figure 1 (b)
+  density,        // Figure 1 (c, d)
+  boundary,       // Figure 4 (a)
+  triangulation,  // Figure 4 (b), initial Bowyer-Watson
+  recovery,       // every boundary edge made present
+  carve,          // Figure 4 (b), triangles outside removed
+  front1,         // Figure 4 (c)
+  front2,         // Figure 4 (c)
+  step1,          // Figure 4 (d)
+  step2,          // a round is steps 2, 3, 4, 5
+  step3,
+  step4,
+  step5,   // Figure 4 (e) once a round inserts nothing
+  refine,  // step 6, Figure 4 (f)
+  finished,
+};
+
+inline constexpr int kStageCount = static_cast<int>(Stage::finished) + 1;
+
+}  // namespace triscope
