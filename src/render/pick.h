@@ -1,0 +1,27 @@
+// What lies under the cursor: vertex before edge before triangle before quadtree cell.
+#pragma once
+
+#include "core/geometry/point.h"
+#include "core/state.h"
+#include "render/view_options.h"
+
+namespace triscope {
+
+struct Pick {
+  Selection selection;
+  std::uint32_t id = kNoId;  // triangle id (triangle and edge), vertex index, or cell index
+  double distance = 0.0;     // world, from the point to the vertex or edge; 0 inside a triangle or cell
+};
+
+/// Looks within `reach` (world units: 8 px / camera.scale) of p. Cells are found only where there is no triangle, or
+/// when `cellsFirst` asks for them instead of vertices, edges and triangles.
+Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst = false);
+
+/// Slot of the live triangle that contains p (an edge counts as inside), -1 outside the mesh. A walk from
+/// Mesh::lastTriangle; falls back to looking at every triangle where a hole stops the walk.
+std::int32_t triangleAt(const Mesh& mesh, Point p);
+
+/// Slot of the live triangle with this id, -1 when it is gone.
+std::int32_t slotOf(const Mesh& mesh, std::uint32_t id);
+
+}  // namespace triscope
