@@ -1,8 +1,9 @@
 // The only place where the sign of a determinant is decided.
-// Both predicates are exact for every finite input whose products neither overflow nor underflow
-// (coordinates of magnitude 1e-70 … 1e70 are safe): a static error bound answers nearly always, and
-// expansion arithmetic behind it answers the rest (J. R. Shewchuk, "Adaptive Precision Floating-Point
-// Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational Geometry 18, 1997).
+// Both predicates are exact for every finite input whose products neither overflow nor underflow: coordinates
+// that are zero or of magnitude 1e-64 … 1e70 are safe, mixed as they may be, since a product of four last digits
+// is then still a double. A static error bound answers nearly always, expansion arithmetic behind it the rest
+// (J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates",
+// Discrete & Computational Geometry 18, 1997).
 #pragma once
 
 #include "core/geometry/point.h"
