@@ -40,6 +40,9 @@ Pair minus(Pair x, Pair y) { return plus(x, {-y.high, -y.low}); }
 /// and leaves room for the rounding of the permanent.
 constexpr double kPairError = 0x1p-100;
 
+/// Splitting a double into halves overflows past 2^996; input that leads there is outside what is promised.
+constexpr double kLargestPermanent = 0x1p980;
+
 /// -1, 0 or +1, or kUnknown when the six differences are no integers of 30 bits on a common power-of-two grid.
 constexpr int kUnknown = 2;
 
@@ -86,7 +89,8 @@ int orient2dExact(Point a, Point b, Point c) {
   }
   const Pair left = times(acx, bcy), right = times(acy, bcx);
   const Pair det = minus(left, right);
-  if (std::fabs(det.high) > kPairError * (std::fabs(left.high) + std::fabs(right.high))) return signOf(det.high);
+  const double permanent = std::fabs(left.high) + std::fabs(right.high);
+  if (std::fabs(det.high) > kPairError * permanent || !(permanent < kLargestPermanent)) return signOf(det.high);
   return (Expansion<2>(acx) * Expansion<2>(bcy) - Expansion<2>(acy) * Expansion<2>(bcx)).sign();
 }
 
@@ -109,7 +113,7 @@ int incircleExact(Point a, Point b, Point c, Point d) {
   const double permanent = (std::fabs(bc.high) + std::fabs(cb.high)) * aLift.high +
                            (std::fabs(ca.high) + std::fabs(ac.high)) * bLift.high +
                            (std::fabs(ab.high) + std::fabs(ba.high)) * cLift.high;
-  if (std::fabs(det.high) > kPairError * permanent) return signOf(det.high);
+  if (std::fabs(det.high) > kPairError * permanent || !(permanent < kLargestPermanent)) return signOf(det.high);
 
   const Expansion<2> eax(ax), eay(ay), ebx(bx), eby(by), ecx(cx), ecy(cy);
   const auto byA = minor(ebx, eby, ecx, ecy) * lift(eax, eay);
