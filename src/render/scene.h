@@ -21,7 +21,7 @@ namespace triscope {
 enum class LayerId : std::uint8_t { cells, mesh, boundary, points, fronts, constraints, decision, worst, selection };
 inline constexpr int kLayerCount = static_cast<int>(LayerId::selection) + 1;
 /// Layers that may hold as much as the mesh; the others are small overlays.
-constexpr bool isLarge(LayerId id) { return id < LayerId::constraints; }
+constexpr bool isLarge(LayerId id) { return id <= LayerId::constraints; }
 
 enum class Dash : std::uint8_t { solid, dashed, dash_dotted, dotted };
 enum class Shape : std::uint8_t { circle, diamond, square, triangle, ring, cross };  // ● ◆ ■ ▲ ○ ✕
@@ -88,15 +88,18 @@ struct Circle {
 
 struct MarkBatch {
   std::vector<Point> at;
+  std::vector<float> spacing;  // world distance to the next mark or so, one per mark; empty: never shrink
   Shape shape = Shape::circle;
-  float size = 6.0f;   // pixels across
-  Color fill;          // line colour for ring and cross
-  Color outline;       // 1 px; alpha 0: none
-  double spacing = 0;  // typical world distance between marks: shrink them when it is few pixels; 0: never shrink
+  float size = 6.0f;  // pixels across
+  Color fill;         // line colour for ring and cross
+  Color outline;      // 1 px; alpha 0: none
 };
 
-/// Marks are drawn at `size`, smaller (never below 2 px) where they would touch.
-float markSize(const MarkBatch& batch, double pixelsPerUnit);
+/// Marks are drawn at `size`, smaller (never below 2 px) where their spacing is few pixels, so that they never touch.
+constexpr float markSize(float size, double spacingInPixels) {
+  const auto room = static_cast<float>(0.6 * spacingInPixels);
+  return room >= size ? size : room > 2.0f ? room : 2.0f;
+}
 
 struct Label {
   Point at;         // world
