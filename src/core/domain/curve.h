@@ -13,15 +13,15 @@ enum class CurveKind : std::uint8_t { line, arc, spline };
 /// Parametrised over t in [0, 1]. The ends are exact: pointAt(c, 0) == c.a and pointAt(c, 1) == c.b.
 struct Curve {
   CurveKind kind = CurveKind::line;
-  Point a;                     // first end, shared bit for bit with the previous curve's b
-  Point b;                     // last end (a full circle has a == b)
-  Point centre;                // arc
-  double radius = 0.0;         // arc
-  double startAngle = 0.0;     // arc, radians
-  double sweep = 0.0;          // arc, radians, positive counter-clockwise
-  std::vector<Point> knots;    // spline: the input points from a to b
-  std::vector<Point> slopes;   // spline: derivative at each knot w.r.t. the knot parameter below
-  std::vector<double> params;  // spline: increasing, params.front() == 0, params.back() == 1
+  Point a{};                     // first end, shared bit for bit with the previous curve's b
+  Point b{};                     // last end (a full circle has a == b)
+  Point centre{};                // arc
+  double radius = 0.0;           // arc
+  double startAngle = 0.0;       // arc, radians
+  double sweep = 0.0;            // arc, radians, positive counter-clockwise
+  std::vector<Point> knots{};    // spline: the input points from a to b
+  std::vector<Point> slopes{};   // spline: derivative at each knot w.r.t. the knot parameter below
+  std::vector<double> params{};  // spline: increasing, params.front() == 0, params.back() == 1
 };
 
 Point pointAt(const Curve& curve, double t);

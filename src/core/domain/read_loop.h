@@ -1,0 +1,13 @@
+// Reading one loop or chain of a domain file into curves.
+#pragma once
+
+#include "core/domain/draft.h"
+#include "core/domain/json_value.h"
+#include "core/result.h"
+
+namespace triscope {
+
+/// Adds the loop to the draft. `number` counts from 1 within its list and makes the name where none is given.
+Status readLoop(const JsonValue& value, LoopRole role, int number, DomainDraft& draft);
+
+}  // namespace triscope
