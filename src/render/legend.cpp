@@ -1,0 +1,213 @@
+// The legend as data: what the picture's colours, marks and lines mean, with the figures that belong to them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/number.h"
+#include "render/scene_parts.h"
+
+namespace triscope {
+
+std::string_view name(TriangleFill fill) {
+  switch (fill) {
+    case TriangleFill::plain:
+      return "plain";
+    case TriangleFill::aspect:
+      return "aspect ratio R/r";
+    case TriangleFill::min_angle:
+      return "smallest angle";
+    case TriangleFill::max_angle:
+      return "largest angle";
+    case TriangleFill::area_ratio:
+      return "area ratio";
+    case TriangleFill::edge_ratio:
+      return "edge ratio";
+    case TriangleFill::density:
+      return "density rank";
+  }
+  return "";
+}
+
+std::string_view name(CellType type) {
+  switch (type) {
+    case CellType::outside:
+      return "outside";
+    case CellType::boundary:
+      return "boundary";
+    case CellType::adjacent_boundary:
+      return "adjacent boundary";
+    case CellType::white:
+      return "white (interior)";
+  }
+  return "";
+}
+
+namespace detail {
+namespace {
+
+using Sample = LegendItem::Sample;
+
+LegendItem item(Sample sample, std::string label, std::string value = {}) {
+  LegendItem result;
+  result.sample = sample;
+  result.label = std::move(label);
+  result.value = std::move(value);
+  return result;
+}
+
+LegendItem mark(Shape shape, Color fill, std::string label, std::size_t count) {
+  LegendItem result = item(Sample::mark, std::move(label), grouped(count));
+  result.shape = shape;
+  result.fill = fill;
+  return result;
+}
+
+LegendItem fillItem(Color fill, std::string label, std::string value = {}) {
+  LegendItem result = item(Sample::fill, std::move(label), std::move(value));
+  result.fill = fill;
+  return result;
+}
+
+void addCells(const SceneInput& in, std::vector<LegendItem>& legend) {
+  const ViewOptions& o = in.options;
+  if (!o.quadtree || in.state.tree.cells.empty() || o.cells == CellColoring::none) return;
+  if (o.cells == CellColoring::rank) {
+    const RankRange range = rankRange(in.state.tree);
+    LegendItem ramp = item(Sample::ramp, "density rank");
+    const int steps = std::clamp(range.highest - range.lowest + 1, 1, 24);
+    for (int i = 0; i < steps; ++i) {
+      const int rank = steps == 1 ? range.lowest : range.lowest + (range.highest - range.lowest) * i / (steps - 1);
+      ramp.ramp.push_back(rankColor(o.scale, in.theme, rank, range.lowest, range.highest));
+    }
+    ramp.low = fmt::format("{} (h = {})", range.lowest, compact(in.state.minEdge * rankLength(range.lowest)));
+    ramp.high = fmt::format("{} ({})", range.highest, compact(in.state.minEdge * rankLength(range.highest)));
+    legend.push_back(std::move(ramp));
+    return;
+  }
+  if (!classified(in.state.tree)) return;
+  legend.push_back(item(Sample::heading, "quadtree cells"));
+  for (const CellType type : {CellType::boundary, CellType::adjacent_boundary, CellType::white, CellType::outside}) {
+    if (type == CellType::outside && !o.outsideCells) continue;
+    const auto count = std::count_if(in.state.tree.cells.begin(), in.state.tree.cells.end(),
+                                     [type](const Cell& c) { return c.child < 0 && c.type == type; });
+    legend.push_back(
+        fillItem(cellTypeColor(in.theme, type), std::string(name(type)), grouped(static_cast<std::uint64_t>(count))));
+  }
+}
+
+void addConstraints(const SceneInput& in, std::vector<LegendItem>& legend) {
+  if (!in.options.constraints || in.state.constraints.empty()) return;
+  legend.push_back(item(Sample::heading, "density constraints"));
+  for (const SourceStyle& style : sourceStyles(in.theme)) {
+    const auto count = std::count_if(in.state.constraints.begin(), in.state.constraints.end(),
+                                     [&style](const Constraint& c) { return c.source == style.source; });
+    if (count > 0) legend.push_back(mark(style.shape, style.color, style.label, static_cast<std::size_t>(count)));
+  }
+}
+
+void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
+  const ViewOptions& o = in.options;
+  const MeshState& state = in.state;
+  if (o.boundaryPoints) {
+    std::size_t kept = 0;
+    std::size_t placed = 0;
+    std::size_t split = 0;
+    if (state.mesh.points.empty()) {
+      for (const BoundaryPoint& p : state.boundary) ++(p.kept ? kept : placed);
+    }
+    for (const VertexKind kind : state.mesh.kinds) {
+      if (kind == VertexKind::kept) ++kept;
+      if (kind == VertexKind::boundary) ++placed;
+      if (kind == VertexKind::split) ++split;
+    }
+    if (kept > 0) legend.push_back(mark(Shape::square, in.theme.kept, "input point", kept));
+    if (placed > 0) legend.push_back(mark(Shape::circle, in.theme.placed, "boundary point", placed));
+    if (split > 0) legend.push_back(mark(Shape::ring, in.theme.placed, "split of a boundary edge", split));
+  }
+  if (o.fronts && !state.front1.empty()) {
+    legend.push_back(mark(Shape::circle, in.theme.front1, "first front", state.front1.size()));
+  }
+  if (o.fronts && !state.front2.empty()) {
+    legend.push_back(mark(Shape::diamond, in.theme.front2, "second front", state.front2.size()));
+  }
+  if (o.steiner) {
+    const auto count = std::count(state.mesh.kinds.begin(), state.mesh.kinds.end(), VertexKind::steiner);
+    if (count > 0) {
+      legend.push_back(mark(Shape::triangle, in.theme.steiner, "Steiner point", static_cast<std::size_t>(count)));
+    }
+  }
+}
+
+void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
+  const ViewOptions& o = in.options;
+  if (!o.triangulation || in.state.mesh.triangles.empty()) return;
+  if (o.fill != TriangleFill::plain && o.fill != TriangleFill::density) {
+    const MeasureScale scale = scaleOf(o.fill);
+    const bool angle = o.fill == TriangleFill::min_angle || o.fill == TriangleFill::max_angle;
+    LegendItem ramp = item(Sample::ramp, std::string(name(o.fill)));
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps; ++i) {
+      const double t = (i + 0.5) / kSteps;
+      ramp.ramp.push_back(measureColor(o, in.theme, scale.good + t * (scale.bound - scale.good)));
+    }
+    ramp.low = compact(scale.good) + (angle ? "°" : "");
+    ramp.high = compact(scale.bound) + (angle ? "°" : "");
+    legend.push_back(std::move(ramp));
+    legend.push_back(fillItem(in.theme.overBound, "beyond the bound"));
+  }
+  if (o.obtuse) {
+    std::string count;
+    if (in.quality != nullptr) {
+      count = fmt::format("{} of {}", grouped(in.quality->obtuse), grouped(in.quality->triangles));
+    }
+    legend.push_back(fillItem(in.theme.obtuse, "obtuse", std::move(count)));
+  }
+}
+
+void addWorst(const SceneInput& in, std::vector<LegendItem>& legend) {
+  if (!in.options.worst || in.quality == nullptr || in.quality->triangles == 0) return;
+  struct Row {
+    const char* label;
+    double value;
+    double bound;
+  };
+  const std::array<Row, 3> rows{{{"worst aspect ratio", in.quality->aspectMax, Bounds::aspect},
+                                 {"worst area ratio", in.quality->areaRatioMax, Bounds::areaRatio},
+                                 {"worst edge ratio", in.quality->edgeRatioMax, Bounds::edgeRatio}}};
+  for (int i = 0; i < 3; ++i) {
+    const Row& row = rows[static_cast<std::size_t>(i)];
+    LegendItem entry = item(Sample::circle, row.label,
+                            fmt::format("{} {} {}", compact(row.value), row.value < row.bound ? "<" : "≥", row.bound));
+    entry.line = worstStyle(in.theme, i);
+    legend.push_back(std::move(entry));
+  }
+}
+
+void addDecision(const SceneInput& in, std::vector<LegendItem>& legend) {
+  if (!in.options.decision || in.current == nullptr) return;
+  const EventKind kind = in.current->kind;
+  const bool inserts = kind == EventKind::vertex_inserted || kind == EventKind::edge_split;
+  if (!inserts && kind != EventKind::edge_flipped && kind != EventKind::vertex_moved) return;
+  LegendItem made = item(Sample::hatch, kind == EventKind::vertex_moved ? "changed by this decision" : "new triangles");
+  made.fill = in.theme.created;
+  legend.push_back(std::move(made));
+  LegendItem gone = item(Sample::line, "removed edges");
+  gone.line = {in.theme.removed, 1.6f, Dash::dotted, false};
+  legend.push_back(std::move(gone));
+}
+
+}  // namespace
+
+std::vector<LegendItem> buildLegend(const SceneInput& in) {
+  std::vector<LegendItem> legend;
+  addCells(in, legend);
+  addConstraints(in, legend);
+  addPoints(in, legend);
+  addFill(in, legend);
+  addWorst(in, legend);
+  addDecision(in, legend);
+  return legend;
+}
+
+}  // namespace detail
+}  // namespace triscope

@@ -1,0 +1,298 @@
+// The small layers on top: the current decision, the three worst triangles, the selection.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/geometry/circumcircle.h"
+#include "render/number.h"
+#include "render/pick.h"
+#include "render/scene_parts.h"
+#include "render/star.h"
+
+namespace triscope::detail {
+namespace {
+
+using std::size_t;
+
+size_t at(std::int32_t i) { return static_cast<size_t>(i); }
+
+bool hasVertex(const Mesh& mesh, std::uint32_t vertex) { return vertex != kNoId && vertex < mesh.points.size(); }
+
+MarkBatch oneMark(Point p, Shape shape, float size, Color fill, Color outline) {
+  MarkBatch batch;
+  batch.at.push_back(p);
+  batch.shape = shape;
+  batch.size = size;
+  batch.fill = fill;
+  batch.outline = outline;
+  return batch;
+}
+
+LineBatch polyline(std::vector<Point> points, bool closed, LineStyle style) {
+  LineBatch batch;
+  batch.style = style;
+  const auto n = static_cast<std::uint32_t>(points.size());
+  for (std::uint32_t i = 0; i + 1 < n; ++i) batch.segments.push_back({i, i + 1});
+  if (closed && n > 2) batch.segments.push_back({n - 1, 0});
+  batch.points = std::move(points);
+  return batch;
+}
+
+LineBatch outlineOf(const Mesh& mesh, std::int32_t slot, LineStyle style) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return polyline({pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])}, true, style);
+}
+
+LineBatch outlineOf(const Quadtree& tree, const Cell& cell, LineStyle style) {
+  const Point lo = tree.corner(cell);
+  const double side = tree.side(cell);
+  return polyline({lo, {lo.x + side, lo.y}, {lo.x + side, lo.y + side}, {lo.x, lo.y + side}}, true, style);
+}
+
+TriangleBatch patch(const Mesh& mesh, const std::vector<std::int32_t>& slots, Color fill, bool hatched) {
+  TriangleBatch batch;
+  for (const std::int32_t slot : slots) {
+    const auto first = static_cast<std::uint32_t>(batch.points.size());
+    for (const std::int32_t v : triangleAt(mesh, slot).v) batch.points.push_back(pointOf(mesh, v));
+    batch.triangles.push_back({first, first + 1, first + 2});
+  }
+  batch.fills.push_back(fill);
+  batch.hatched = hatched;
+  return batch;
+}
+
+std::vector<std::int32_t> slotsCreated(const Mesh& mesh, const Event& event) {
+  std::vector<std::int32_t> slots;
+  if (event.created == kNoId) return slots;
+  for (size_t i = 0; i < mesh.ids.size(); ++i) {
+    if (mesh.ids[i] - event.created < event.createdCount && mesh.alive(static_cast<std::int32_t>(i))) {
+      slots.push_back(static_cast<std::int32_t>(i));
+    }
+  }
+  return slots;
+}
+
+Label note(const SceneInput& in, Point p, std::string text, Color color) {
+  Label label;
+  label.at = p;
+  label.dx = 9.0f;
+  label.dy = -9.0f;
+  label.text = std::move(text);
+  label.color = color;
+  label.halo = in.theme.background;
+  return label;
+}
+
+// In steps 1 to 4 what is measured is the circumradius about the proposed point.
+void addCircumcircle(const SceneInput& in, Layer& layer) {
+  const Event& event = *in.current;
+  if (event.rule < Rule::step1 || event.rule > Rule::step4 || !(event.measured > 0.0)) return;
+  layer.circles.push_back({event.at, event.measured, 0.0f, {in.theme.candidate, 1.3f, Dash::solid, false}});
+}
+
+void addInsertion(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Event& event = *in.current;
+  if (!hasVertex(mesh, event.vertex)) {
+    layer.marks.push_back(oneMark(event.at, Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
+    return;
+  }
+  const auto vertex = static_cast<std::int32_t>(event.vertex);
+  const Star star = starOf(mesh, vertex);
+  layer.triangles.push_back(patch(mesh, star.slots, in.theme.created, true));
+  std::vector<Point> rim;
+  for (const std::int32_t v : star.rim) rim.push_back(pointOf(mesh, v));
+  layer.lines.push_back(polyline(std::move(rim), true, {in.theme.created, 1.8f, Dash::solid, false}));
+  LineBatch removed;
+  removed.style = {in.theme.removed, 1.6f, Dash::dotted, false};
+  for (const auto& edge : edgesBefore(mesh, star)) {
+    const auto first = static_cast<std::uint32_t>(removed.points.size());
+    removed.points.push_back(pointOf(mesh, edge[0]));
+    removed.points.push_back(pointOf(mesh, edge[1]));
+    removed.segments.push_back({first, first + 1});
+  }
+  if (!removed.segments.empty()) layer.lines.push_back(std::move(removed));
+  addCircumcircle(in, layer);
+  layer.marks.push_back(oneMark(pointOf(mesh, vertex), Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
+}
+
+void addRefusal(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Event& event = *in.current;
+  const std::int32_t slot = slotOf(mesh, event.subject);
+  if (event.kind == EventKind::vertex_refused && slot >= 0) {
+    layer.lines.push_back(outlineOf(mesh, slot, {in.theme.candidate, 2.0f, Dash::solid, false}));
+  }
+  addCircumcircle(in, layer);
+  if (event.kind == EventKind::vertex_kept && hasVertex(mesh, event.vertex)) {
+    const Point stays = mesh.points[event.vertex];
+    layer.lines.push_back(polyline({stays, event.at}, false, {in.theme.refused, 1.4f, Dash::dotted, false}));
+    layer.marks.push_back(oneMark(stays, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
+  }
+  layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
+  if (in.options.labels) layer.labels.push_back(note(in, event.at, std::string(name(event.refusal)), in.theme.refused));
+}
+
+void addFlip(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const std::vector<std::int32_t> slots = slotsCreated(mesh, *in.current);
+  if (slots.empty()) return;
+  layer.triangles.push_back(patch(mesh, slots, in.theme.created, true));
+  for (const std::int32_t slot : slots) {
+    layer.lines.push_back(outlineOf(mesh, slot, {in.theme.created, 1.8f, Dash::solid, false}));
+  }
+  if (slots.size() != 2) return;
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t half = 3 * slots[0] + i;
+    const std::int32_t across = oppositeOf(mesh, half);
+    if (across < 0 || triangleOf(across) != slots[1]) continue;
+    layer.lines.push_back(polyline({pointOf(mesh, apexOf(mesh, half)), pointOf(mesh, apexOf(mesh, across))}, false,
+                                   {in.theme.removed, 1.6f, Dash::dotted, false}));
+  }
+}
+
+void addMove(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Event& event = *in.current;
+  if (!hasVertex(mesh, event.vertex)) return;
+  const Star star = starOf(mesh, static_cast<std::int32_t>(event.vertex));
+  layer.triangles.push_back(patch(mesh, star.slots, in.theme.created, true));
+  LineBatch spokes;  // where the edges to the vertex were
+  spokes.style = {in.theme.removed, 1.4f, Dash::dotted, false};
+  spokes.points.push_back(event.from);
+  for (const std::int32_t v : star.rim) {
+    spokes.segments.push_back({0, static_cast<std::uint32_t>(spokes.points.size())});
+    spokes.points.push_back(pointOf(mesh, v));
+  }
+  layer.lines.push_back(std::move(spokes));
+  layer.lines.push_back(polyline({event.from, event.at}, false, {in.theme.candidate, 2.2f, Dash::solid, false}));
+  layer.marks.push_back(oneMark(event.from, Shape::ring, 7.0f, in.theme.removed, {0, 0, 0, 0}));
+  layer.marks.push_back(oneMark(event.at, Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
+}
+
+void addCell(const SceneInput& in, Layer& layer) {
+  const auto& cells = in.state.tree.cells;
+  const LineStyle strong{in.theme.candidate, 2.4f, Dash::solid, false};
+  if (in.current->subject < cells.size()) {
+    layer.lines.push_back(outlineOf(in.state.tree, cells[in.current->subject], strong));
+  }
+  const LineStyle made{in.theme.created, 1.4f, Dash::dashed, false};
+  if (in.current->kind != EventKind::cell_split || in.current->created == kNoId) return;
+  for (std::uint32_t i = 0; i < 4 && in.current->created + i < cells.size(); ++i) {
+    layer.lines.push_back(outlineOf(in.state.tree, cells[in.current->created + i], made));
+  }
+}
+
+void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, const char* label, double value) {
+  const Mesh& mesh = in.state.mesh;
+  if (slot < 0 || at(slot) >= mesh.triangles.size() || !mesh.alive(slot)) return;
+  const Triangle& t = triangleAt(mesh, slot);
+  const Circumcircle circle = circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
+  if (!std::isfinite(circle.squaredRadius)) return;
+  // One triangle may be the worst in more than one respect: the circles stay apart.
+  const float least = 12.0f + 5.0f * static_cast<float>(which);
+  const LineStyle style = worstStyle(in.theme, which);
+  const double radius = std::sqrt(circle.squaredRadius) * (1.05 + 0.12 * which);
+  layer.circles.push_back({circle.centre, radius, least, style});
+  if (!in.options.labels) return;
+  Label text = note(in, circle.centre, std::string(label) + " " + compact(value), style.color);
+  text.dx = least + 3.0f;
+  text.dy = -least;
+  layer.labels.push_back(std::move(text));
+}
+
+}  // namespace
+
+LineStyle worstStyle(const Theme& theme, int which) {
+  switch (which) {
+    case 0:
+      return {theme.worstAspect, 2.0f, Dash::solid, false};
+    case 1:
+      return {theme.worstArea, 2.0f, Dash::dashed, false};
+    default:
+      return {theme.worstEdge, 2.0f, Dash::dash_dotted, false};
+  }
+}
+
+void buildDecision(const SceneInput& in, Layer& layer) {
+  if (!in.options.decision || in.current == nullptr) return;
+  const Event& event = *in.current;
+  switch (event.kind) {
+    case EventKind::vertex_inserted:
+    case EventKind::edge_split:
+      addInsertion(in, layer);
+      break;
+    case EventKind::vertex_refused:
+    case EventKind::vertex_kept:
+      addRefusal(in, layer);
+      break;
+    case EventKind::edge_flipped:
+      addFlip(in, layer);
+      break;
+    case EventKind::vertex_moved:
+      addMove(in, layer);
+      break;
+    case EventKind::cell_split:
+    case EventKind::cell_ranked:
+      addCell(in, layer);
+      break;
+    case EventKind::constraint_found:
+      layer.marks.push_back(oneMark(event.at, Shape::ring, 15.0f, in.theme.candidate, {0, 0, 0, 0}));
+      break;
+    case EventKind::vertex_removed:
+    case EventKind::triangle_removed:
+      layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
+      break;
+    case EventKind::failure:
+      layer.marks.push_back(oneMark(event.at, Shape::cross, 16.0f, in.theme.refused, in.theme.background));
+      break;
+    case EventKind::stage_begun:
+    case EventKind::stage_finished:
+      break;
+  }
+}
+
+void buildWorst(const SceneInput& in, Layer& layer) {
+  if (!in.options.worst || in.quality == nullptr || in.quality->triangles == 0) return;
+  addWorst(in, layer, 0, in.quality->aspectAt, "aspect", in.quality->aspectMax);
+  addWorst(in, layer, 1, in.quality->areaRatioAt, "area ratio", in.quality->areaRatioMax);
+  addWorst(in, layer, 2, in.quality->edgeRatioAt, "edge ratio", in.quality->edgeRatioMax);
+}
+
+void buildSelection(const SceneInput& in, Layer& layer) {
+  const Selection& s = in.options.selection;
+  const Mesh& mesh = in.state.mesh;
+  const LineStyle line{in.theme.selection, 2.6f, Dash::solid, false};
+  const bool slotAlive = s.index >= 0 && at(s.index) < mesh.triangles.size() && mesh.alive(s.index);
+  switch (s.kind) {
+    case Selection::Kind::none:
+      break;
+    case Selection::Kind::vertex:
+      if (s.index >= 0 && at(s.index) < mesh.points.size()) {
+        const Star star = starOf(mesh, s.index);
+        layer.triangles.push_back(patch(mesh, star.slots, faded(in.theme.selection, 0.22), false));
+        layer.marks.push_back(oneMark(mesh.points[at(s.index)], Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
+      }
+      break;
+    case Selection::Kind::edge:
+      if (slotAlive && s.edge >= 0 && s.edge < 3) {
+        const std::int32_t half = 3 * s.index + s.edge;
+        layer.lines.push_back(
+            polyline({pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half))}, false, line));
+      }
+      break;
+    case Selection::Kind::triangle:
+      if (slotAlive) {
+        layer.triangles.push_back(patch(mesh, {s.index}, faded(in.theme.selection, 0.3), false));
+        layer.lines.push_back(outlineOf(mesh, s.index, line));
+      }
+      break;
+    case Selection::Kind::cell:
+      if (s.index >= 0 && at(s.index) < in.state.tree.cells.size()) {
+        layer.lines.push_back(outlineOf(in.state.tree, in.state.tree.cells[at(s.index)], line));
+      }
+      break;
+  }
+}
+
+}  // namespace triscope::detail

@@ -1,0 +1,60 @@
+// The parts that updateScene() is made of, one per layer. Each fills an empty layer.
+#pragma once
+
+#include "render/scene.h"
+
+namespace triscope::detail {
+
+/// What every part needs to know.
+struct SceneInput {
+  const MeshState& state;
+  const ViewOptions& options;
+  const Theme& theme;
+  const Event* current = nullptr;
+  const Quality* quality = nullptr;
+};
+
+/// Ranks in use among the leaves that are shown, for the colour scale.
+struct RankRange {
+  int lowest = 1;
+  int highest = 1;
+};
+RankRange rankRange(const Quadtree& tree);
+/// Before cells are classified every leaf says `outside`; then they are all drawn alike.
+bool classified(const Quadtree& tree);
+
+void buildCells(const SceneInput& in, Layer& layer);
+void buildMesh(const SceneInput& in, Layer& layer);
+void buildBoundary(const SceneInput& in, Layer& layer);
+void buildPoints(const SceneInput& in, Layer& layer);
+void buildFronts(const SceneInput& in, Layer& layer);
+void buildConstraints(const SceneInput& in, Layer& layer);
+void buildDecision(const SceneInput& in, Layer& layer);
+void buildWorst(const SceneInput& in, Layer& layer);
+void buildSelection(const SceneInput& in, Layer& layer);
+std::vector<LegendItem> buildLegend(const SceneInput& in);
+
+/// How a source of density is drawn: the same in the picture and in the legend.
+struct SourceStyle {
+  Rule source;
+  Shape shape;
+  Color color;
+  const char* label;
+};
+inline constexpr int kSourceCount = 5;
+std::array<SourceStyle, kSourceCount> sourceStyles(const Theme& theme);
+
+/// Styles of the three circles of Figure 4.
+LineStyle worstStyle(const Theme& theme, int which);  // 0 aspect, 1 area ratio, 2 edge ratio
+
+/// The measure that a fill shows: its value for every slot (dead slots: 0), and the ends of its colour scale.
+/// `good` is the value of the equilateral triangle (or a uniform mesh), `bound` the paper's limit.
+struct MeasureScale {
+  double good = 0.0;
+  double bound = 0.0;
+};
+MeasureScale scaleOf(TriangleFill fill);
+std::vector<float> measureSlots(const MeshState& state, TriangleFill fill);
+Color measureColor(const ViewOptions& options, const Theme& theme, double value);
+
+}  // namespace triscope::detail
