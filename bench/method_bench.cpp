@@ -1,0 +1,131 @@
+// The whole method and each of its stages against the number of points.
+#include <benchmark/benchmark.h>
+
+#include <sys/resource.h>
+
+#include <array>
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
+#include "core/domain/read.h"
+#include "core/pipeline.h"
+#include "ring.h"
+
+namespace triscope::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Run {
+  std::array<double, kStageCount> seconds{};  // per stage, all rounds together
+  double total = 0.0;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+};
+
+MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settings& settings) {
+  Result<MeshState> state = begin(domain, settings);
+  if (!state.ok()) throw std::runtime_error(describe(state.error()));
+  return std::move(*state);
+}
+
+/// Steps 1-5 to their end, each stage timed.
+Run runRounds(const std::shared_ptr<const Domain>& domain, Journal& journal) {
+  Run run;
+  const Clock::time_point start = Clock::now();
+  MeshState state = beginOrThrow(domain, Settings{});
+  Clock::time_point before = Clock::now();
+  while (state.stage < Stage::refine) {
+    const Stage stage = state.stage;
+    advance(state, Grain::stage, journal);
+    const Clock::time_point after = Clock::now();
+    run.seconds[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(after - before).count();
+    before = after;
+  }
+  if (state.failed) throw std::runtime_error("the method could not go on");
+  run.total = std::chrono::duration<double>(before - start).count();
+  for (const std::int32_t triangle : state.mesh.vertexTriangle) run.vertices += triangle >= 0 ? 1 : 0;
+  run.triangles = state.mesh.liveCount();
+  return run;
+}
+
+void report(benchmark::State& bench, const Run& run) {
+  bench.SetIterationTime(run.total);
+  bench.counters["vertices"] = static_cast<double>(run.vertices);
+  bench.counters["triangles"] = static_cast<double>(run.triangles);
+}
+
+/// Argument: vertices wanted. Counters: the seconds of each stage, by its key.
+void ringStages(benchmark::State& bench) {
+  const auto domain = ring(minEdgeFor(static_cast<double>(bench.range(0))));
+  Journal nobody;
+  for (auto _ : bench) {
+    const Run run = runRounds(domain, nobody);
+    report(bench, run);
+    for (const StageInfo& info : stages())
+      if (info.id < Stage::refine)
+        bench.counters[std::string(info.key)] = run.seconds[static_cast<std::size_t>(info.id)];
+  }
+}
+BENCHMARK(ringStages)
+    ->Arg(1000)
+    ->Arg(3000)
+    ->Arg(10000)
+    ->Arg(30000)
+    ->Arg(100000)
+    ->Arg(300000)
+    ->Arg(1000000)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+/// Argument: 0 without a listener, 1 with a journal that keeps every event.
+void ringJournal(benchmark::State& bench) {
+  const auto domain = ring(minEdgeFor(15000));
+  for (auto _ : bench) {
+    std::vector<Event> events;
+    Journal journal;
+    if (bench.range(0) != 0) journal.events = &events;
+    report(bench, runRounds(domain, journal));
+    bench.counters["events"] = static_cast<double>(events.size());
+  }
+}
+BENCHMARK(ringJournal)->Arg(0)->Arg(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+/// Reading the file, and the method without step 6.
+void threeElementAirfoil(benchmark::State& bench) {
+  Journal nobody;
+  for (auto _ : bench) {
+    const Clock::time_point start = Clock::now();
+    Result<Domain> read = readDomain(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
+    if (!read.ok()) throw std::runtime_error(describe(read.error()));
+    const double reading = std::chrono::duration<double>(Clock::now() - start).count();
+    Run run = runRounds(std::make_shared<const Domain>(std::move(*read)), nobody);
+    run.total += reading;
+    report(bench, run);
+  }
+}
+BENCHMARK(threeElementAirfoil)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+std::int64_t peakBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+/// Peak memory of one run; only the first run of a process tells, so ask for this one alone.
+void ringMemory(benchmark::State& bench) {
+  const auto domain = ring(minEdgeFor(static_cast<double>(bench.range(0))));
+  Journal nobody;
+  for (auto _ : bench) {
+    const std::int64_t before = peakBytes();
+    const Run run = runRounds(domain, nobody);
+    report(bench, run);
+    bench.counters["bytes_per_triangle"] =
+        static_cast<double>(peakBytes() - before) / static_cast<double>(run.triangles);
+  }
+}
+BENCHMARK(ringMemory)->Arg(500000)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace triscope::bench
