@@ -1,0 +1,188 @@
+#include "render/gl_layer.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <numeric>
+
+namespace triscope {
+namespace {
+
+struct FilledVertex {
+  float x = 0.0f;
+  float y = 0.0f;
+  Color fill;
+};
+
+struct LineVertex {
+  float x0 = 0.0f;
+  float y0 = 0.0f;
+  float x1 = 0.0f;
+  float y1 = 0.0f;
+  float along = 0.0f;
+};
+
+struct MarkVertex {
+  float x = 0.0f;
+  float y = 0.0f;
+};
+
+/// A point relative to the origin, as a float.
+struct Near {
+  Point origin;
+  [[nodiscard]] float x(Point p) const { return static_cast<float>(p.x - origin.x); }
+  [[nodiscard]] float y(Point p) const { return static_cast<float>(p.y - origin.y); }
+};
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+template <class Vertex>
+void fillBuffer(GlMesh& mesh, const std::vector<Vertex>& vertices) {
+  glBindVertexArray(mesh.array.get());
+  glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.get());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)), vertices.data(),
+               GL_STATIC_DRAW);
+  mesh.count = static_cast<GLsizei>(vertices.size());
+}
+
+void attribute(GLuint index, GLint size, GLenum type, bool normalized, std::size_t stride, std::size_t at) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, size, type, normalized ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride), offset(at));
+}
+
+void describeFilled() {
+  attribute(0, 2, GL_FLOAT, false, sizeof(FilledVertex), offsetof(FilledVertex, x));
+  attribute(1, 4, GL_UNSIGNED_BYTE, true, sizeof(FilledVertex), offsetof(FilledVertex, fill));
+}
+
+/// Two triangles for every four vertices.
+void quadIndices(GlMesh& mesh) {
+  std::vector<std::uint32_t> indices;
+  const auto quads = static_cast<std::uint32_t>(mesh.count / 4);
+  indices.reserve(std::size_t{6} * quads);
+  for (std::uint32_t q = 0; q < quads; ++q)
+    for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(4 * q + corner);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.get());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+               GL_STATIC_DRAW);
+  mesh.count = static_cast<GLsizei>(indices.size());
+}
+
+/// Interleaves the lower 16 bits of x and y: points near each other get numbers near each other.
+std::uint32_t mortonOf(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint32_t v) {
+    v = (v | (v << 8u)) & 0x00FF00FFu;
+    v = (v | (v << 4u)) & 0x0F0F0F0Fu;
+    v = (v | (v << 2u)) & 0x33333333u;
+    return (v | (v << 1u)) & 0x55555555u;
+  };
+  return spread(x) | (spread(y) << 1u);
+}
+
+constexpr std::size_t kTileTriangles = 2048;
+
+/// An order of the triangles in which those near each other are close; as they come when they are few.
+std::vector<std::uint32_t> spatialOrder(const TriangleBatch& batch) {
+  std::vector<std::uint32_t> order(batch.triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (order.size() <= 2 * kTileTriangles) return order;
+  Box box;
+  for (const Point& p : batch.points) box.include(p);
+  const double toGrid = 65535.0 / std::max({box.width(), box.height(), 1e-300});
+  std::vector<std::uint64_t> keyed(order.size());
+  for (std::size_t t = 0; t < order.size(); ++t) {
+    const Point p = batch.points[batch.triangles[t][0]] - box.lo;
+    const std::uint32_t morton =
+        mortonOf(static_cast<std::uint32_t>(p.x * toGrid), static_cast<std::uint32_t>(p.y * toGrid));
+    keyed[t] = (std::uint64_t{morton} << 32u) | t;
+  }
+  std::sort(keyed.begin(), keyed.end());
+  std::transform(keyed.begin(), keyed.end(), order.begin(), [](std::uint64_t k) { return static_cast<std::uint32_t>(k); });
+  return order;
+}
+
+void uploadTriangles(GlTriangles& target, const TriangleBatch& batch, Near nearby) {
+  std::vector<FilledVertex> vertices;
+  vertices.reserve(3 * batch.triangles.size());
+  constexpr Color kNone{0, 0, 0, 0};
+  for (const std::uint32_t t : spatialOrder(batch)) {
+    if (vertices.size() % (3 * kTileTriangles) == 0)
+      target.tiles.push_back({.first = static_cast<GLint>(vertices.size())});
+    GlTile& tile = target.tiles.back();
+    const Color fill = batch.fills.empty() ? kNone : batch.fills[batch.fills.size() == 1 ? 0 : t];
+    for (const std::uint32_t v : batch.triangles[t]) {
+      const Point p = batch.points[v];
+      tile.box.include(p);
+      vertices.push_back({nearby.x(p), nearby.y(p), fill});
+    }
+    tile.count += 3;
+  }
+  target.wire = batch.wire;
+  target.hatched = batch.hatched;
+  fillBuffer(target.mesh, vertices);
+  describeFilled();
+}
+
+void uploadSquares(GlSquares& target, const SquareBatch& batch, Near nearby) {
+  std::vector<FilledVertex> vertices;
+  vertices.reserve(4 * batch.squares.size());
+  for (const auto& square : batch.squares)
+    for (const Point step : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) {
+      const Point p = square.corner + square.side * step;
+      vertices.push_back({nearby.x(p), nearby.y(p), square.fill});
+    }
+  target.outline = batch.outline;
+  fillBuffer(target.mesh, vertices);
+  describeFilled();
+  quadIndices(target.mesh);
+}
+
+void uploadLines(GlLines& target, const LineBatch& batch, Near nearby) {
+  std::vector<LineVertex> vertices;
+  vertices.reserve(4 * batch.segments.size());
+  double along = 0.0;
+  std::uint32_t last = ~0u;
+  for (const Index2& segment : batch.segments) {
+    const Point a = batch.points[segment[0]];
+    const Point b = batch.points[segment[1]];
+    if (segment[0] != last) along = 0.0;  // another polyline
+    const LineVertex v{nearby.x(a), nearby.y(a), nearby.x(b), nearby.y(b), static_cast<float>(along)};
+    vertices.insert(vertices.end(), 4, v);
+    along += distance(a, b);
+    last = segment[1];
+  }
+  target.style = batch.style;
+  fillBuffer(target.mesh, vertices);
+  attribute(0, 2, GL_FLOAT, false, sizeof(LineVertex), offsetof(LineVertex, x0));
+  attribute(1, 2, GL_FLOAT, false, sizeof(LineVertex), offsetof(LineVertex, x1));
+  attribute(2, 1, GL_FLOAT, false, sizeof(LineVertex), offsetof(LineVertex, along));
+  quadIndices(target.mesh);
+}
+
+void uploadMarks(GlMarks& target, const MarkBatch& batch, Near nearby) {
+  std::vector<MarkVertex> vertices;
+  vertices.reserve(batch.at.size());
+  for (const Point& p : batch.at) vertices.push_back({nearby.x(p), nearby.y(p)});
+  target.look = {.shape = batch.shape, .size = batch.size, .fill = batch.fill, .outline = batch.outline,
+                 .spacing = batch.spacing};
+  fillBuffer(target.mesh, vertices);
+  attribute(0, 2, GL_FLOAT, false, sizeof(MarkVertex), 0);
+}
+
+}  // namespace
+
+void upload(GlLayer& target, const Layer& layer, Point origin) {
+  if (target.key == layer.key && target.origin == origin) return;
+  target = {};
+  target.key = layer.key;
+  target.origin = origin;
+  const Near nearby{origin};
+  for (const SquareBatch& batch : layer.squares) uploadSquares(target.squares.emplace_back(), batch, nearby);
+  for (const TriangleBatch& batch : layer.triangles) uploadTriangles(target.triangles.emplace_back(), batch, nearby);
+  for (const LineBatch& batch : layer.lines) uploadLines(target.lines.emplace_back(), batch, nearby);
+  for (const MarkBatch& batch : layer.marks) uploadMarks(target.marks.emplace_back(), batch, nearby);
+  target.circles = layer.circles;
+  glBindVertexArray(0);
+}
+
+}  // namespace triscope

@@ -1,0 +1,81 @@
+#include "render/gl_program.h"
+
+#include "render/embedded.h"
+
+namespace triscope {
+namespace {
+
+/// The source with its `//#include NAME` lines replaced by shaders/NAME.
+std::string sourceOf(std::string_view name) {
+  std::string text(embedded(std::string("shaders/").append(name)));
+  constexpr std::string_view kDirective = "//#include ";
+  for (std::size_t at = text.find(kDirective); at != std::string::npos; at = text.find(kDirective)) {
+    const std::size_t end = text.find('\n', at);
+    const std::string wanted = text.substr(at + kDirective.size(), end - at - kDirective.size());
+    text.replace(at, end - at, embedded("shaders/" + wanted));
+  }
+  return text;
+}
+
+/// Compiles and attaches one stage; returns the driver's complaint.
+std::string attach(GLuint program, GLenum stage, std::string_view name) {
+  const std::string source = sourceOf(name);
+  const GLuint shader = glCreateShader(stage);
+  const char* const text = source.data();
+  const auto length = static_cast<GLint>(source.size());
+  glShaderSource(shader, 1, &text, &length);
+  glCompileShader(shader);
+  GLint good = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  std::string complaint;
+  if (good == 0) {
+    std::string log(4096, '\0');
+    GLsizei used = 0;
+    glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &used, log.data());
+    log.resize(static_cast<std::size_t>(used));
+    complaint = std::string(name) + ": " + log;
+  }
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // lives on while attached
+  return complaint;
+}
+
+}  // namespace
+
+std::string GlProgram::build(std::string_view vertex, std::string_view fragment) {
+  const GLuint program = program_.get();
+  std::string complaint = attach(program, GL_VERTEX_SHADER, vertex);
+  complaint += attach(program, GL_FRAGMENT_SHADER, fragment);
+  if (!complaint.empty()) return complaint;
+  glLinkProgram(program);
+  GLint good = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &good);
+  if (good != 0) return {};
+  std::string log(4096, '\0');
+  GLsizei used = 0;
+  glGetProgramInfoLog(program, static_cast<GLsizei>(log.size()), &used, log.data());
+  log.resize(static_cast<std::size_t>(used));
+  return std::string(vertex).append(" + ").append(fragment).append(": ").append(log);
+}
+
+void GlProgram::use() { glUseProgram(program_.get()); }
+
+GLint GlProgram::locate(const char* name) {
+  for (const Uniform& u : uniforms_)
+    if (u.name == name) return u.location;
+  const GLint location = glGetUniformLocation(program_.get(), name);
+  uniforms_.push_back({name, location});
+  return location;
+}
+
+void GlProgram::set(const char* name, float x) { glUniform1f(locate(name), x); }
+void GlProgram::set(const char* name, int x) { glUniform1i(locate(name), x); }
+void GlProgram::set(const char* name, float x, float y) { glUniform2f(locate(name), x, y); }
+void GlProgram::set(const char* name, float x, float y, float z, float w) { glUniform4f(locate(name), x, y, z, w); }
+void GlProgram::set(const char* name, Color c) {
+  constexpr float k = 1.0f / 255.0f;
+  set(name, k * static_cast<float>(c.r), k * static_cast<float>(c.g), k * static_cast<float>(c.b),
+      k * static_cast<float>(c.a));
+}
+
+}  // namespace triscope

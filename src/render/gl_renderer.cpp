@@ -1,0 +1,199 @@
+#include "render/gl_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace triscope {
+namespace {
+
+constexpr double kHatchSpacing = 7.0;  // pixels at 100 %
+constexpr double kMarkStroke = 1.2;
+
+/// clip = (position - origin) * scale + offset, for shaders that hold positions relative to `origin`.
+void setView(GlProgram& program, const Camera& camera, Point origin) {
+  const double sx = 2.0 * camera.scale / camera.width;
+  const double sy = 2.0 * camera.scale / camera.height;
+  const Point shift = origin - camera.centre;
+  program.set("uView", static_cast<float>(sx), static_cast<float>(sy), static_cast<float>(sx * shift.x),
+              static_cast<float>(sy * shift.y));
+}
+
+void setDash(GlProgram& program, const LineStyle& style, double density) {
+  const DashPattern pattern = patternOf(style.dash);
+  const auto unit = static_cast<float>(density * std::max(1.0f, style.width));
+  program.set("uDash", unit * pattern.lengths[0], unit * pattern.lengths[1], unit * pattern.lengths[2],
+              unit * pattern.lengths[3]);
+  program.set("uDashCount", pattern.count);
+}
+
+float halfWidth(const LineStyle& style, double density) {
+  return static_cast<float>(0.5 * density * static_cast<double>(style.width));
+}
+
+bool meets(const Box& a, const Box& b) {
+  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y;
+}
+
+}  // namespace
+
+std::string GlRenderer::start() {
+  std::string complaint = triangles_.build("fill.vert", "fill.frag");
+  complaint += squares_.build("square.vert", "square.frag");
+  complaint += lines_.build("line.vert", "line.frag");
+  complaint += circles_.build("circle.vert", "circle.frag");
+  complaint += marks_.build("mark.vert", "mark.frag");
+  return complaint;
+}
+
+void GlRenderer::forget() {
+  layers_ = {};
+  drawnLarge_ = {};
+  drawnAll_ = {};
+}
+
+Point GlRenderer::originFor(const Scene& scene, const Camera& camera) const {
+  // A float holds 24 bits: beyond this many pixels from the origin a position is off by a quarter of one.
+  constexpr double kFarthest = 4.0e6;
+  if (length(camera.centre - scene.origin) * camera.scale < kFarthest) return scene.origin;
+  if (length(camera.centre - origin_) * camera.scale < kFarthest) return origin_;
+  return camera.centre;
+}
+
+bool GlRenderer::draw(const Scene& scene, const Camera& camera, double density) {
+  Drawn all{.camera = camera, .density = density, .background = scene.theme.background};
+  Drawn large = all;
+  for (int i = 0; i < kLayerCount; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    all.keys[at] = scene.layers[at].key;
+    if (isLarge(static_cast<LayerId>(i))) large.keys[at] = scene.layers[at].key;
+  }
+  if (all == drawnAll_) return false;
+
+  const int width = std::max(1, static_cast<int>(camera.width));
+  const int height = std::max(1, static_cast<int>(camera.height));
+  const bool resized = large_.resize(width, height);
+  picture_.resize(width, height);
+  origin_ = originFor(scene, camera);
+  const View view{camera, density, origin_};
+
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  // The picture stays opaque: alpha is left alone.
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+
+  const auto drawSome = [&](bool wantLarge) {
+    for (int i = 0; i < kLayerCount; ++i) {
+      if (isLarge(static_cast<LayerId>(i)) != wantLarge) continue;
+      GlLayer& layer = layers_[static_cast<std::size_t>(i)];
+      upload(layer, scene.layers[static_cast<std::size_t>(i)], origin_);
+      drawLayer(layer, view);
+    }
+  };
+  if (resized || large != drawnLarge_) {
+    large_.clear(scene.theme.background);
+    drawSome(true);
+    drawnLarge_ = large;
+  }
+  picture_.copyFrom(large_);
+  drawSome(false);
+  drawnAll_ = all;
+  glBindVertexArray(0);
+  glUseProgram(0);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return true;
+}
+
+void GlRenderer::drawLayer(GlLayer& layer, const View& view) {
+  for (GlSquares& batch : layer.squares) drawSquares(batch, view);
+  for (GlTriangles& batch : layer.triangles) drawTriangles(batch, view);
+  for (GlLines& batch : layer.lines) drawLines(batch, view);
+  for (const Circle& circle : layer.circles) drawCircle(circle, view);
+  for (GlMarks& batch : layer.marks) drawMarks(batch, view);
+}
+
+void GlRenderer::drawTriangles(GlTriangles& batch, const View& view) {
+  if (batch.mesh.count == 0) return;
+  triangles_.use();
+  setView(triangles_, view.camera, view.origin);
+  triangles_.set("uWire", batch.wire.color);
+  triangles_.set("uHalfWidth", halfWidth(batch.wire, view.density));
+  triangles_.set("uFades", batch.wire.fades);
+  triangles_.set("uHatchSpacing", batch.hatched ? static_cast<float>(kHatchSpacing * view.density) : 0.0f);
+  glBindVertexArray(batch.mesh.array.get());
+  const Box visible = visibleBox(view.camera);
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (const GlTile& tile : batch.tiles) {
+    if (!meets(tile.box, visible)) continue;
+    if (!firsts.empty() && firsts.back() + counts.back() == tile.first) {
+      counts.back() += tile.count;
+    } else {
+      firsts.push_back(tile.first);
+      counts.push_back(tile.count);
+    }
+  }
+  glMultiDrawArrays(GL_TRIANGLES, firsts.data(), counts.data(), static_cast<GLsizei>(firsts.size()));
+}
+
+void GlRenderer::drawSquares(GlSquares& batch, const View& view) {
+  if (batch.mesh.count == 0) return;
+  squares_.use();
+  setView(squares_, view.camera, view.origin);
+  squares_.set("uWire", batch.outline.color);
+  squares_.set("uHalfWidth", halfWidth(batch.outline, view.density));
+  squares_.set("uFades", batch.outline.fades);
+  glBindVertexArray(batch.mesh.array.get());
+  glDrawElements(GL_TRIANGLES, batch.mesh.count, GL_UNSIGNED_INT, nullptr);
+}
+
+void GlRenderer::drawLines(GlLines& batch, const View& view) {
+  if (batch.mesh.count == 0) return;
+  lines_.use();
+  setView(lines_, view.camera, view.origin);
+  lines_.set("uViewport", static_cast<float>(view.camera.width), static_cast<float>(view.camera.height));
+  lines_.set("uPixelsPerUnit", static_cast<float>(view.camera.scale));
+  lines_.set("uHalfWidth", halfWidth(batch.style, view.density));
+  lines_.set("uColor", batch.style.color);
+  lines_.set("uFades", batch.style.fades);
+  setDash(lines_, batch.style, view.density);
+  glBindVertexArray(batch.mesh.array.get());
+  glDrawElements(GL_TRIANGLES, batch.mesh.count, GL_UNSIGNED_INT, nullptr);
+}
+
+void GlRenderer::drawCircle(const Circle& circle, const View& view) {
+  const double radius = std::max(circle.radius * view.camera.scale, view.density * static_cast<double>(circle.minimumRadius));
+  const Point centre = view.camera.scale * (circle.centre - view.camera.centre);
+  // Enough sides that the strip stays within half a pixel of the rim; more cannot be told apart.
+  const int sides = std::clamp(static_cast<int>(std::numbers::pi * std::sqrt(std::max(radius, 4.0))), 24, 4096);
+  circles_.use();
+  circles_.set("uCentre", static_cast<float>(centre.x), static_cast<float>(centre.y));
+  circles_.set("uRadius", static_cast<float>(radius));
+  circles_.set("uViewport", static_cast<float>(view.camera.width), static_cast<float>(view.camera.height));
+  circles_.set("uHalfWidth", halfWidth(circle.style, view.density));
+  circles_.set("uSides", sides);
+  circles_.set("uColor", circle.style.color);
+  setDash(circles_, circle.style, view.density);
+  glBindVertexArray(empty_.get());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (sides + 1));
+}
+
+void GlRenderer::drawMarks(GlMarks& batch, const View& view) {
+  if (batch.mesh.count == 0) return;
+  const double size = view.density * static_cast<double>(markSize(batch.look, view.camera.scale / view.density));
+  marks_.use();
+  setView(marks_, view.camera, view.origin);
+  marks_.set("uSize", static_cast<float>(size));
+  marks_.set("uShape", static_cast<int>(batch.look.shape));
+  marks_.set("uFill", batch.look.fill);
+  marks_.set("uOutline", batch.look.outline);
+  marks_.set("uStroke", static_cast<float>(kMarkStroke * view.density));
+  glBindVertexArray(batch.mesh.array.get());
+  glDrawArrays(GL_POINTS, 0, batch.mesh.count);
+}
+
+}  // namespace triscope
