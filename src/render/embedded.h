@@ -13,6 +13,10 @@ struct EmbeddedFile {
 
 /// assets/fonts: Inter-Regular.otf, Inter-SemiBold.otf, DejaVuSansMono.ttf
 std::span<const EmbeddedFile> embeddedFonts();
+/// shaders/
+std::span<const EmbeddedFile> embeddedShaders();
+/// assets/domains/
+std::span<const EmbeddedFile> embeddedSamples();
 
 /// Bytes of the file of that name, empty when there is none.
 inline std::span<const unsigned char> findEmbedded(std::span<const EmbeddedFile> files, std::string_view name) {
