@@ -6,9 +6,9 @@
 #include <fstream>
 #include <utility>
 
+#include "core/domain/check.h"
 #include "core/domain/draft.h"
 #include "core/domain/json_value.h"
-#include "core/domain/orient.h"
 #include "core/domain/read_loop.h"
 
 namespace triscope {
@@ -49,8 +49,7 @@ Result<Domain> parse(std::string_view json, const std::string& fileName) {
   DomainDraft draft;
   draft.domain.file = fileName;
   if (auto status = readLoops(*root, draft); !status) return status.error();
-  orient(draft);
-  return std::move(draft.domain);
+  return checkDomain(std::move(draft));
 }
 
 }  // namespace

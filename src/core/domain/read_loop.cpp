@@ -69,7 +69,9 @@ Status readLoop(const JsonValue& value, LoopRole role, int number, DomainDraft& 
   if (points.size() < fewest) {
     return Error{.message = fmt::format("{} of at least {} points needed", points.size(), fewest),
                  .hint = closed ? "a loop needs three points or more" : "a segment needs two points or more",
-                 .loop = name};
+                 .loop = name,
+                 .point = points.empty() ? -1 : 0,
+                 .at = points.empty() ? std::nullopt : std::optional(points[0])};
   }
   const auto first = static_cast<std::uint32_t>(draft.domain.curves.size());
   const std::size_t edges = closed ? points.size() : points.size() - 1;
