@@ -17,6 +17,7 @@ enum class ExitCode : int {
   usage = 2,          // the command line is wrong
   bad_data = 65,      // the input was read and is wrong
   no_input = 66,      // the input cannot be opened
+  no_display = 69,    // no window can be opened here
   internal = 70,      // a defect of the program
   cannot_write = 73,  // the output cannot be written
   cancelled = 130,    // Ctrl+C
