@@ -25,6 +25,7 @@ struct LineVertex {
 struct MarkVertex {
   float x = 0.0f;
   float y = 0.0f;
+  float spacing = 0.0f;
 };
 
 /// A point relative to the origin, as a float.
@@ -97,7 +98,8 @@ std::vector<std::uint32_t> spatialOrder(const TriangleBatch& batch) {
     keyed[t] = (std::uint64_t{morton} << 32u) | t;
   }
   std::sort(keyed.begin(), keyed.end());
-  std::transform(keyed.begin(), keyed.end(), order.begin(), [](std::uint64_t k) { return static_cast<std::uint32_t>(k); });
+  std::transform(keyed.begin(), keyed.end(), order.begin(),
+                 [](std::uint64_t k) { return static_cast<std::uint32_t>(k); });
   return order;
 }
 
@@ -107,7 +109,7 @@ void uploadTriangles(GlTriangles& target, const TriangleBatch& batch, Near nearb
   constexpr Color kNone{0, 0, 0, 0};
   for (const std::uint32_t t : spatialOrder(batch)) {
     if (vertices.size() % (3 * kTileTriangles) == 0)
-      target.tiles.push_back({.first = static_cast<GLint>(vertices.size())});
+      target.tiles.push_back({{}, static_cast<GLint>(vertices.size()), 0});
     GlTile& tile = target.tiles.back();
     const Color fill = batch.fills.empty() ? kNone : batch.fills[batch.fills.size() == 1 ? 0 : t];
     for (const std::uint32_t v : batch.triangles[t]) {
@@ -162,11 +164,15 @@ void uploadLines(GlLines& target, const LineBatch& batch, Near nearby) {
 void uploadMarks(GlMarks& target, const MarkBatch& batch, Near nearby) {
   std::vector<MarkVertex> vertices;
   vertices.reserve(batch.at.size());
-  for (const Point& p : batch.at) vertices.push_back({nearby.x(p), nearby.y(p)});
-  target.look = {.shape = batch.shape, .size = batch.size, .fill = batch.fill, .outline = batch.outline,
-                 .spacing = batch.spacing};
+  for (std::size_t i = 0; i < batch.at.size(); ++i)
+    vertices.push_back({nearby.x(batch.at[i]), nearby.y(batch.at[i]), batch.spacing.empty() ? 0.0f : batch.spacing[i]});
+  target.shape = batch.shape;
+  target.size = batch.size;
+  target.fill = batch.fill;
+  target.outline = batch.outline;
   fillBuffer(target.mesh, vertices);
-  attribute(0, 2, GL_FLOAT, false, sizeof(MarkVertex), 0);
+  attribute(0, 2, GL_FLOAT, false, sizeof(MarkVertex), offsetof(MarkVertex, x));
+  attribute(1, 1, GL_FLOAT, false, sizeof(MarkVertex), offsetof(MarkVertex, spacing));
 }
 
 }  // namespace

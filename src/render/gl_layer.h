@@ -43,7 +43,10 @@ struct GlLines {
 
 struct GlMarks {
   GlMesh mesh;
-  MarkBatch look;  // without the places
+  Shape shape = Shape::circle;
+  float size = 0.0f;  // pixels at 100 %
+  Color fill;
+  Color outline;
 };
 
 /// Coordinates are floats relative to `origin`.

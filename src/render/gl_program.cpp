@@ -5,14 +5,19 @@
 namespace triscope {
 namespace {
 
-/// The source with its `//#include NAME` lines replaced by shaders/NAME.
+std::string fileNamed(std::string_view name) {
+  const std::span<const unsigned char> bytes = findEmbedded(embeddedShaders(), name);
+  return {bytes.begin(), bytes.end()};
+}
+
+/// The source with its `//#include NAME` lines replaced by that file.
 std::string sourceOf(std::string_view name) {
-  std::string text(embedded(std::string("shaders/").append(name)));
+  std::string text = fileNamed(name);
   constexpr std::string_view kDirective = "//#include ";
   for (std::size_t at = text.find(kDirective); at != std::string::npos; at = text.find(kDirective)) {
     const std::size_t end = text.find('\n', at);
     const std::string wanted = text.substr(at + kDirective.size(), end - at - kDirective.size());
-    text.replace(at, end - at, embedded("shaders/" + wanted));
+    text.replace(at, end - at, fileNamed(wanted));
   }
   return text;
 }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kHatchSpacing = 7.0;  // pixels at 100 %
 constexpr double kMarkStroke = 1.2;
+constexpr float kSmallestMark = markSize(1.0e3f, 0.0);
 
 /// clip = (position - origin) * scale + offset, for shaders that hold positions relative to `origin`.
 void setView(GlProgram& program, const Camera& camera, Point origin) {
@@ -166,7 +167,8 @@ void GlRenderer::drawLines(GlLines& batch, const View& view) {
 }
 
 void GlRenderer::drawCircle(const Circle& circle, const View& view) {
-  const double radius = std::max(circle.radius * view.camera.scale, view.density * static_cast<double>(circle.minimumRadius));
+  const double radius =
+      std::max(circle.radius * view.camera.scale, view.density * static_cast<double>(circle.minimumRadius));
   const Point centre = view.camera.scale * (circle.centre - view.camera.centre);
   // Enough sides that the strip stays within half a pixel of the rim; more cannot be told apart.
   const int sides = std::clamp(static_cast<int>(std::numbers::pi * std::sqrt(std::max(radius, 4.0))), 24, 4096);
@@ -184,13 +186,14 @@ void GlRenderer::drawCircle(const Circle& circle, const View& view) {
 
 void GlRenderer::drawMarks(GlMarks& batch, const View& view) {
   if (batch.mesh.count == 0) return;
-  const double size = view.density * static_cast<double>(markSize(batch.look, view.camera.scale / view.density));
   marks_.use();
   setView(marks_, view.camera, view.origin);
-  marks_.set("uSize", static_cast<float>(size));
-  marks_.set("uShape", static_cast<int>(batch.look.shape));
-  marks_.set("uFill", batch.look.fill);
-  marks_.set("uOutline", batch.look.outline);
+  marks_.set("uSize", static_cast<float>(view.density) * batch.size);
+  marks_.set("uSmallest", static_cast<float>(view.density) * kSmallestMark);
+  marks_.set("uPixelsPerUnit", static_cast<float>(view.camera.scale));
+  marks_.set("uShape", static_cast<int>(batch.shape));
+  marks_.set("uFill", batch.fill);
+  marks_.set("uOutline", batch.outline);
   marks_.set("uStroke", static_cast<float>(kMarkStroke * view.density));
   glBindVertexArray(batch.mesh.array.get());
   glDrawArrays(GL_POINTS, 0, batch.mesh.count);

@@ -1,0 +1,42 @@
+#include "core/session.h"
+
+#include "core/session_worker.h"
+
+namespace triscope {
+
+Session::Session(std::function<void()> wake) : worker_(std::make_unique<SessionWorker>(std::move(wake))) {}
+
+Session::~Session() = default;
+
+void Session::apply(const Command& order) {
+  ++orders_;
+  if (const auto* change = std::get_if<command::Change>(&order)) {
+    settings_ = change->settings;
+    settingsOrder_ = orders_;
+  }
+  worker_->order(order);
+}
+
+bool Session::poll() {
+  std::optional<Publication> news = worker_->take();
+  if (!news) return false;
+  if (news->snapshot) {
+    current_ = std::move(news->snapshot);
+    events_.resize(static_cast<std::size_t>(news->keepEvents));
+    events_.insert(events_.end(), news->freshEvents.begin(), news->freshEvents.end());
+  }
+  progress_ = news->progress;
+  error_ = std::move(news->error);
+  stale_ = news->stale;
+  // The worker may have spoken before it heard of the latest change.
+  if (news->ordersDone >= settingsOrder_) settings_ = news->settings;
+  return true;
+}
+
+bool Session::settle(std::chrono::milliseconds patience) {
+  const bool idle = worker_->waitIdle(patience);
+  poll();
+  return idle;
+}
+
+}  // namespace triscope

@@ -1,0 +1,116 @@
+// Runs the method for a viewer: owns the domain, the settings and the events so far, and a worker thread that
+// carries a private state forward in short slices and publishes immutable snapshots of it. The only writer.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/event.h"
+#include "core/pipeline.h"
+#include "core/quality/quality.h"
+#include "core/result.h"
+#include "core/settings.h"
+#include "core/state.h"
+
+namespace triscope {
+
+/// A state that no longer changes, and what a viewer wants to know of it at once.
+struct Snapshot {
+  std::uint64_t revision = 0;  // grows with every snapshot of a session
+  MeshState state;
+  Quality quality;            // of state.mesh; all zero before there is a mesh
+  std::optional<Event> last;  // the decision that led here
+  std::uint64_t events = 0;   // number of events recorded up to here
+};
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// What a viewer may ask for. A later command takes the place of one still being carried out.
+namespace command {
+struct OpenFile {
+  std::string path;  // read, checked and meshed to the end; on an error the old mesh stays
+};
+struct OpenDomain {
+  std::shared_ptr<const Domain> domain;  // already checked; meshed to the end
+};
+struct Change {
+  Settings
+      settings;  // re-meshes from the first stage that a difference can matter to, back to the same tick or the end
+};
+struct Advance {
+  Grain grain = Grain::decision;
+};
+struct Seek {
+  std::uint64_t tick = 0;  // decisions from the start; beyond the end is the end
+};
+struct PreviousStage {};  // to the start of this stage, or of the one before when already there
+struct Restart {};
+struct Play {
+  double decisionsPerSecond = 60.0;
+};
+struct Pause {};   // stops where the run is
+struct Cancel {};  // stops; a re-mesh not yet complete is given up for the mesh and the settings from before
+}  // namespace command
+using Command = std::variant<command::OpenFile, command::OpenDomain, command::Change, command::Advance, command::Seek,
+                             command::PreviousStage, command::Restart, command::Play, command::Pause, command::Cancel>;
+
+enum class Activity : std::uint8_t { idle, stepping, playing, meshing };
+
+struct Progress {
+  Activity activity = Activity::idle;
+  Stage stage = Stage::constraints;
+  std::uint64_t tick = 0;
+  std::size_t triangles = 0;
+  double estimated = 0.0;  // triangles in the end by Table 1; 0 while unknown
+  double fraction = 0.0;   // 0 … 1 of the way, a rough estimate
+  double seconds = 0.0;    // since the command was given
+};
+
+class SessionWorker;
+
+/// Everything here belongs to one thread (the viewer's); the worker behind it is reached through commands only.
+class Session {
+ public:
+  /// `wake` is called from the worker whenever poll() has something new; it may be empty.
+  explicit Session(std::function<void()> wake = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void apply(const Command& order);
+  /// Takes over what the worker has published since. True when anything a viewer shows has changed.
+  bool poll();
+  /// Waits at most `patience` for the worker to become idle, then polls. True when it is idle.
+  bool settle(std::chrono::milliseconds patience);
+
+  /// The mesh to show; null until the first domain has been read.
+  [[nodiscard]] const SnapshotPtr& current() const { return current_; }
+  /// True while `current` is the mesh from before a change that is still being carried out.
+  [[nodiscard]] bool stale() const { return stale_; }
+  /// Events up to `current`, oldest first.
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  [[nodiscard]] bool busy() const { return progress_.activity != Activity::idle; }
+  /// Settings in force or being applied.
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  /// Why the last command failed; cleared by the next one that starts.
+  [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+
+ private:
+  std::unique_ptr<SessionWorker> worker_;
+  SnapshotPtr current_;
+  std::vector<Event> events_;
+  Progress progress_;
+  Settings settings_;
+  std::optional<Error> error_;
+  bool stale_ = false;
+  std::uint64_t orders_ = 0;         // commands given
+  std::uint64_t settingsOrder_ = 0;  // the last of them that changed settings
+};
+
+}  // namespace triscope

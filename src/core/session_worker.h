@@ -1,0 +1,130 @@
+// The thread behind a Session. Commands go in, publications come out; nothing else is shared.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/session.h"
+
+namespace triscope {
+
+/// What the worker has to tell since it was last asked.
+struct Publication {
+  SnapshotPtr snapshot;            // the newest, null when there is no new one
+  std::uint64_t keepEvents = 0;    // with a snapshot: drop the viewer's events beyond this many …
+  std::vector<Event> freshEvents;  // … and append these
+  Progress progress;
+  Settings settings;             // in force
+  std::uint64_t ordersDone = 0;  // commands that had been taken up by then
+  std::optional<Error> error;
+  bool stale = false;
+};
+
+class SessionWorker {
+ public:
+  explicit SessionWorker(std::function<void()> wake);
+  ~SessionWorker();
+  SessionWorker(const SessionWorker&) = delete;
+  SessionWorker& operator=(const SessionWorker&) = delete;
+
+  void order(const Command& command);
+  /// Nothing when nothing was published since the last call.
+  std::optional<Publication> take();
+  bool waitIdle(std::chrono::milliseconds patience);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  /// What the worker is heading for.
+  struct Goal {
+    enum class Kind : std::uint8_t { none, decision, insertion, stage, round, tick, end, play } kind = Kind::none;
+    Stage stage = Stage::constraints;  // stage, round: where the step began
+    std::uint16_t round = 0;
+    std::size_t vertices = 0;  // insertion: how many there were
+    std::uint64_t tick = 0;    // tick: where to stop
+    double rate = 0.0;         // play: decisions per second
+  };
+
+  /// The state at the first entry into a stage, to go back to. The settings in it are not to be used: those in force
+  /// may differ in what cannot have mattered yet.
+  struct Checkpoint {
+    std::shared_ptr<const MeshState> state;
+    std::uint64_t events = 0;
+    std::optional<Event> last;
+    std::size_t bytes = 0;
+  };
+
+  /// What a re-mesh that is given up returns to: as published last.
+  struct Backup {
+    Checkpoint at;
+    std::vector<Checkpoint> checkpoints;
+  };
+
+  void loop();
+  void carryOut(const Command& command);
+  void open(std::shared_ptr<const Domain> domain);
+  void change(const Settings& settings);
+  void seek(std::uint64_t tick);
+  void previousStage();
+  void cancel();
+  void head(Goal goal, Activity activity);
+  void headFor(Grain grain);
+  void halt();
+  void fail(Error error);
+
+  void slice();
+  void carry(std::uint64_t decisions);
+  [[nodiscard]] bool over() const { return state_.stage == Stage::finished || state_.failed; }
+  [[nodiscard]] bool reached() const;
+
+  bool startOver(std::shared_ptr<const Domain> domain, const Settings& settings);
+  void returnTo(const Checkpoint& checkpoint);
+  void rememberStage();
+  void keepBackup();
+
+  void publishState();
+  void publishProgress();
+  Publication& outbox();
+
+  std::function<void()> wake_;
+
+  // Shared, under mutex_.
+  std::mutex mutex_;
+  std::condition_variable inboxChanged_;
+  std::condition_variable becameIdle_;
+  std::deque<Command> inbox_;
+  std::optional<Publication> outbox_;
+  bool idle_ = true;
+  bool quit_ = false;
+
+  // The worker's own.
+  MeshState state_;
+  bool loaded_ = false;
+  std::uint64_t recorded_ = 0;  // events that lead to state_
+  std::uint64_t kept_ = 0;      // of these, the viewer has the first kept_ …
+  std::vector<Event> fresh_;    // … and these are the rest
+  std::vector<Event> slice_;    // of the slice being run
+  std::optional<Event> last_;
+  std::vector<Checkpoint> checkpoints_;  // by tick
+  std::optional<Backup> backup_;         // while a re-mesh is under way
+  Goal goal_;
+  Progress progress_;
+  std::optional<Error> error_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t ordersDone_ = 0;
+  std::uint64_t chunk_ = 64;  // decisions in a slice, adapted to a few milliseconds
+  double owed_ = 0.0;         // play: decisions that time has earned
+  Clock::time_point goalSince_{};
+  Clock::time_point lastSlice_{};
+  Clock::time_point lastPublished_{};
+  Clock::duration publishCost_{};
+
+  std::thread thread_;  // last: starts when everything above is ready
+};
+
+}  // namespace triscope
