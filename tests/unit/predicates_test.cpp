@@ -22,6 +22,11 @@ int orient2dOracle(Point a, Point b, Point c) {
   return sgn((ax - cx) * (by - cy) - (ay - cy) * (bx - cx));
 }
 
+int dotSignOracle(Point apex, Point a, Point b) {
+  const mpq_class x(apex.x), y(apex.y);
+  return sgn((mpq_class(a.x) - x) * (mpq_class(b.x) - x) + (mpq_class(a.y) - y) * (mpq_class(b.y) - y));
+}
+
 int incircleOracle(Point a, Point b, Point c, Point d) {
   const mpq_class dx(d.x), dy(d.y);
   const mpq_class ax = a.x - dx, ay = a.y - dy, bx = b.x - dx, by = b.y - dy, cx = c.x - dx, cy = c.y - dy;
@@ -45,6 +50,13 @@ void expectOrient2d(Point a, Point b, Point c) {
   EXPECT_EQ(orient2d(b, c, a), sign) << text({a, b, c});
   EXPECT_EQ(orient2d(b, a, c), -sign) << text({a, b, c});
   EXPECT_EQ(detail::orient2dExact(a, b, c), sign) << text({a, b, c});
+}
+
+void expectDotSign(Point apex, Point a, Point b) {
+  const int sign = dotSignOracle(apex, a, b);
+  EXPECT_EQ(dotSign(apex, a, b), sign) << text({apex, a, b});
+  EXPECT_EQ(dotSign(apex, b, a), sign) << text({apex, a, b});
+  EXPECT_EQ(detail::dotSignExact(apex, a, b), sign) << text({apex, a, b});
 }
 
 void expectIncircle(Point a, Point b, Point c, Point d) {
@@ -73,7 +85,10 @@ TEST(Predicates, EveryTripleOfASmallGrid) {
       for (int y = 0; y < 4; ++y) grid.push_back(origin + Point{x * step, y * step});
     for (const Point a : grid)
       for (const Point b : grid)
-        for (const Point c : grid) expectOrient2d(a, b, c);
+        for (const Point c : grid) {
+          expectOrient2d(a, b, c);
+          expectDotSign(a, b, c);
+        }
   }
 }
 
@@ -147,6 +162,20 @@ TEST(Predicates, CollinearPointsAndTheirNeighbours) {
   }
 }
 
+TEST(Predicates, RightAnglesAndTheirNeighbours) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (const auto& [origin, step] : frames()) {
+    for (int i = 0; i < 300; ++i) {
+      const Point arm{uniform(random) * step, uniform(random) * step};
+      const Point a = origin + arm, b = origin + perpendicular(arm);
+      expectDotSign(origin, a, b);
+      expectDotSign(origin, {nudged(a.x), a.y}, b);
+      expectDotSign(b, a, origin);
+    }
+  }
+}
+
 TEST(Predicates, MixedMagnitudes) {
   std::mt19937_64 random(10);
   std::uniform_real_distribution<double> mantissa(-1.0, 1.0);
@@ -157,6 +186,7 @@ TEST(Predicates, MixedMagnitudes) {
     for (Point& q : p) q = {coordinate(), coordinate()};
     if (i % 3 == 1) p[3].x = p[0].x, p[1].y = p[2].y;
     expectOrient2d(p[0], p[1], p[2]);
+    expectDotSign(p[0], p[1], p[2]);
     expectIncircle(p[0], p[1], p[2], p[3]);
   }
 }

@@ -76,22 +76,31 @@ Expansion<16> minor(const Expansion<2>& ax, const Expansion<2>& ay, const Expans
 }
 Expansion<16> lift(const Expansion<2>& x, const Expansion<2>& y) { return x * x + y * y; }
 
-}  // namespace
-
-int orient2dExact(Point a, Point b, Point c) {
-  const Pair acx = twoDifference(a.x, c.x), acy = twoDifference(a.y, c.y);
-  const Pair bcx = twoDifference(b.x, c.x), bcy = twoDifference(b.y, c.y);
-  if (acx.low == 0.0 && acy.low == 0.0 && bcx.low == 0.0 && bcy.low == 0.0) {
+/// Sign of x·y - z·w.
+int signOfDifference(Pair x, Pair y, Pair z, Pair w) {
+  if (x.low == 0.0 && y.low == 0.0 && z.low == 0.0 && w.low == 0.0) {
     // Rounding is monotone: unequal rounded products order the exact ones, equal ones leave it to the errors.
-    const Pair left = twoProduct(acx.high, bcy.high), right = twoProduct(acy.high, bcx.high);
+    const Pair left = twoProduct(x.high, y.high), right = twoProduct(z.high, w.high);
     if (left.high != right.high) return left.high > right.high ? 1 : -1;
     return signOf(left.low - right.low);
   }
-  const Pair left = times(acx, bcy), right = times(acy, bcx);
+  const Pair left = times(x, y), right = times(z, w);
   const Pair det = minus(left, right);
   const double permanent = std::fabs(left.high) + std::fabs(right.high);
   if (std::fabs(det.high) > kPairError * permanent || !(permanent < kLargestPermanent)) return signOf(det.high);
-  return (Expansion<2>(acx) * Expansion<2>(bcy) - Expansion<2>(acy) * Expansion<2>(bcx)).sign();
+  return (Expansion<2>(x) * Expansion<2>(y) - Expansion<2>(z) * Expansion<2>(w)).sign();
+}
+
+}  // namespace
+
+int orient2dExact(Point a, Point b, Point c) {
+  return signOfDifference(twoDifference(a.x, c.x), twoDifference(b.y, c.y), twoDifference(a.y, c.y),
+                          twoDifference(b.x, c.x));
+}
+
+int dotSignExact(Point apex, Point a, Point b) {
+  return signOfDifference(twoDifference(a.x, apex.x), twoDifference(b.x, apex.x), twoDifference(apex.y, a.y),
+                          twoDifference(b.y, apex.y));
 }
 
 int incircleExact(Point a, Point b, Point c, Point d) {

@@ -13,6 +13,7 @@ namespace triscope {
 namespace detail {
 /// Exact signs, reached only when the filter below cannot decide.
 int orient2dExact(Point a, Point b, Point c);
+int dotSignExact(Point apex, Point a, Point b);
 int incircleExact(Point a, Point b, Point c, Point d);
 }  // namespace detail
 
@@ -25,6 +26,17 @@ inline int orient2d(Point a, Point b, Point c) {
   if (det > bound) return 1;
   if (det < -bound) return -1;
   return detail::orient2dExact(a, b, c);
+}
+
+/// +1 when a and b are seen from the apex under an acute angle, -1 under an obtuse one, 0 under a right one.
+inline int dotSign(Point apex, Point a, Point b) {
+  const double alongX = (a.x - apex.x) * (b.x - apex.x);
+  const double alongY = (a.y - apex.y) * (b.y - apex.y);
+  const double dot = alongX + alongY;
+  const double bound = 3.3306690738754716e-16 * (std::fabs(alongX) + std::fabs(alongY));
+  if (dot > bound) return 1;
+  if (dot < -bound) return -1;
+  return detail::dotSignExact(apex, a, b);
 }
 
 /// +1 when d lies inside the circle through the counter-clockwise a, b, c, -1 outside, 0 on it.
