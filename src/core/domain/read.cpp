@@ -2,54 +2,111 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
 #include "core/domain/check.h"
 #include "core/domain/draft.h"
 #include "core/domain/json_value.h"
+#include "core/domain/read_density.h"
 #include "core/domain/read_loop.h"
+#include "core/domain/read_values.h"
 
 namespace triscope {
 
 namespace {
 
-Status readLoops(const JsonValue::Object& root, DomainDraft& draft) {
-  const JsonValue* outer = find(root, "outer");
-  if (outer == nullptr) {
-    return Error{.message = "there is no \"outer\" loop",
-                 .hint = "add \"outer\": [[x, y], …], the boundary that encloses the domain"};
-  }
-  if (auto status = readLoop(*outer, LoopRole::outer, 0, draft); !status) return status;
-  constexpr std::pair<std::string_view, LoopRole> lists[] = {{"holes", LoopRole::hole}, {"segments", LoopRole::chain}};
-  for (const auto& [key, role] : lists) {
-    const JsonValue* value = find(root, key);
-    if (value == nullptr) continue;
-    if (value->list() == nullptr) {
-      return Error{.message = fmt::format("\"{}\" is {}, not a list", key, value->typeName()),
-                   .hint = fmt::format("write \"{}\": [ … ] with one entry for each", key)};
-    }
-    int number = 0;
-    for (const JsonValue& item : *value->list()) {
-      if (auto status = readLoop(item, role, ++number, draft); !status) return status;
-    }
+using Object = JsonValue::Object;
+
+constexpr std::array<std::string_view, 6> kKeys{"name", "min_edge_length", "outer", "holes", "segments", "density"};
+// The quadtree counts cells of side 4 min_edge_length in 32 bits.
+constexpr double kFinest = 1e-9;  // of the domain's larger side
+
+/// Other keys are the author's own, unless they look like a slip of the finger.
+Status checkTopKeys(const Object& root) {
+  for (const JsonMember& member : root) {
+    if (std::find(kKeys.begin(), kKeys.end(), member.key) != kKeys.end()) continue;
+    const std::string_view meant = nearestKey(member.key, kKeys);
+    if (meant.empty()) continue;
+    return complaint({}, fmt::format("unknown key \"{}\"", member.key), fmt::format("did you mean \"{}\"?", meant));
   }
   return success();
 }
 
+Status readList(const Object& root, std::string_view key, LoopRole role, DomainDraft& draft) {
+  const JsonValue* value = find(root, key);
+  if (value == nullptr) return success();
+  if (value->list() == nullptr) {
+    return complaint({}, fmt::format("\"{}\" is {}, not a list", key, value->typeName()),
+                     fmt::format("write \"{}\": [ … ] with one entry for each", key));
+  }
+  int number = 0;
+  for (const JsonValue& item : *value->list()) {
+    if (auto status = readLoop(item, role, ++number, draft); !status) return status;
+  }
+  return success();
+}
+
+Status checkNames(const Domain& domain) {
+  std::vector<std::string_view> names;
+  for (const Loop& loop : domain.loops) names.emplace_back(loop.name);
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice == names.end()) return success();
+  return complaint({std::string(*twice)}, "two loops have this name", "give each its own name");
+}
+
+Status readLoops(const Object& root, DomainDraft& draft) {
+  const JsonValue* outer = find(root, "outer");
+  if (outer == nullptr) {
+    return complaint({}, "there is no \"outer\" loop",
+                     "add \"outer\": [[x, y], …], the boundary that encloses the domain");
+  }
+  if (auto status = readLoop(*outer, LoopRole::outer, 0, draft); !status) return status;
+  if (auto status = readList(root, "holes", LoopRole::hole, draft); !status) return status;
+  if (auto status = readList(root, "segments", LoopRole::chain, draft); !status) return status;
+  return checkNames(draft.domain);
+}
+
+Status readMinEdgeLength(const Object& root, Domain& domain) {
+  const JsonValue* value = find(root, "min_edge_length");
+  if (value == nullptr) return success();
+  const auto length = readPositive(*value, "min_edge_length", {});
+  if (!length) return length.error();
+  const double side = std::max(domain.bounds.width(), domain.bounds.height());
+  domain.minEdgeLength = *length;
+  if (*length >= kFinest * side && *length < side) return success();
+  return complaint({}, fmt::format("\"min_edge_length\" is {}, but the domain is {} wide", *length, side),
+                   fmt::format("give a length from {} up to less than {}", kFinest * side, side));
+}
+
+std::string stemOf(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
 Result<Domain> parse(std::string_view json, const std::string& fileName) {
   const auto tree = parseJson(json);
   if (!tree) return tree.error();
-  const JsonValue::Object* root = tree->object();
+  const Object* root = tree->object();
   if (root == nullptr) {
-    return Error{.message = fmt::format("the file holds {}, not an object", tree->typeName()),
-                 .hint = "a domain file looks like {\"outer\": [[x, y], …], \"holes\": [ … ]}"};
+    return complaint({}, fmt::format("the file holds {}, not an object", tree->typeName()),
+                     "a domain file looks like {\"outer\": [[x, y], …], \"holes\": [ … ]}");
   }
+  if (auto status = checkTopKeys(*root); !status) return status.error();
   DomainDraft draft;
   draft.domain.file = fileName;
+  auto name = readText(*root, "name", {}, stemOf(fileName));
+  if (!name) return name.error();
+  draft.domain.name = std::move(*name);
   if (auto status = readLoops(*root, draft); !status) return status.error();
-  return checkDomain(std::move(draft));
+  auto domain = checkDomain(std::move(draft));
+  if (!domain) return domain;
+  if (auto status = readMinEdgeLength(*root, *domain); !status) return status.error();
+  if (const JsonValue* density = find(*root, "density")) {
+    if (auto status = readDensity(*density, *domain); !status) return status.error();
+  }
+  return domain;
 }
 
 }  // namespace

@@ -2,92 +2,257 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "core/domain/add_curves.h"
+#include "core/domain/arc.h"
+#include "core/domain/read_values.h"
+#include "core/geometry/trig.h"
 
 namespace triscope {
 
 namespace {
 
-constexpr double kLargest = 1e30;
+using Object = JsonValue::Object;
 
-std::string nameFor(LoopRole role, int number) {
-  switch (role) {
-    case LoopRole::hole:
-      return fmt::format("hole {}", number);
-    case LoopRole::chain:
-      return fmt::format("segment {}", number);
-    case LoopRole::outer:
-      break;
-  }
-  return "outer";
+/// One loop, segment or piece on its way into the draft.
+struct Reading {
+  const Object& object;
+  ReadPlace place;
+  bool closed;
+  DomainDraft& draft;
+};
+
+std::string defaultName(LoopRole role, int number) {
+  if (role == LoopRole::outer) return "outer";
+  return fmt::format("{} {}", role == LoopRole::hole ? "hole" : "segment", number);
 }
 
-Result<Point> readPoint(const JsonValue& value, const std::string& loop, int index) {
-  const JsonValue::List* pair = value.list();
-  const double* x = pair != nullptr && pair->size() == 2 ? (*pair)[0].number() : nullptr;
-  const double* y = pair != nullptr && pair->size() == 2 ? (*pair)[1].number() : nullptr;
-  if (x == nullptr || y == nullptr) {
-    return Error{.message = "a point must be two numbers", .hint = "write it as [x, y]", .loop = loop, .point = index};
-  }
-  if (!(std::fabs(*x) <= kLargest && std::fabs(*y) <= kLargest)) {
-    return Error{.message = "a coordinate is too large",
-                 .hint = "use coordinates of magnitude up to 1e30",
-                 .loop = loop,
-                 .point = index,
-                 .at = Point{*x, *y}};
-  }
-  return Point{*x, *y};
+/// The points of a run; a closed one may repeat its first point at the end.
+Result<PointRun> readRun(const JsonValue& value, bool closed, const ReadPlace& place) {
+  auto points = readPoints(value, place);
+  if (!points) return points.error();
+  if (closed && points->size() > 1 && points->front() == points->back()) points->pop_back();
+  return PointRun{std::move(*points), closed, place};
 }
 
-Result<std::vector<Point>> readPoints(const JsonValue& value, const std::string& loop) {
+Result<PointRun> readRun(const Reading& reading) {
+  const auto value = require(reading.object, "points", reading.place);
+  if (!value) return value.error();
+  return readRun(**value, reading.closed, reading.place);
+}
+
+Status addPolygon(const PointRun& run, DomainDraft& draft) {
+  const auto status = run.closed ? checkRun(run, 3, "a loop") : checkRun(run, 2, "a segment");
+  if (status) addLines(run, draft);
+  return status;
+}
+
+Status readPolygon(const Reading& reading) {
+  const auto run = readRun(reading);
+  return run ? addPolygon(*run, reading.draft) : Status(run.error());
+}
+
+/// Marks the points listed under "corners".
+Status markListed(const JsonValue& value, const PointRun& run, std::vector<bool>& isCorner) {
   const JsonValue::List* list = value.list();
   if (list == nullptr) {
-    return Error{.message = fmt::format("the points are {}, not a list", value.typeName()),
-                 .hint = "write [[x, y], [x, y], …]",
-                 .loop = loop};
+    return complaint(run.place, fmt::format("\"corners\" is {}, not a list", value.typeName()),
+                     "list the numbers of the points; \"corner_turn\" takes an angle in degrees");
   }
-  std::vector<Point> points;
-  points.reserve(list->size());
   for (const JsonValue& item : *list) {
-    const auto point = readPoint(item, loop, static_cast<int>(points.size()));
-    if (!point) return point.error();
-    points.push_back(*point);
+    const double* number = item.number();
+    const auto count = static_cast<double>(isCorner.size());
+    if (number == nullptr || *number != std::floor(*number) || *number < 0.0 || *number >= count) {
+      return complaint(run.place,
+                       number != nullptr ? fmt::format("there is no point {} to make a corner", *number)
+                                         : fmt::format("a corner is {}, not the number of a point", item.typeName()),
+                       fmt::format("the points are numbered 0 to {}", isCorner.size() - 1));
+    }
+    isCorner[static_cast<std::size_t>(*number)] = true;
   }
-  return points;
+  return success();
+}
+
+/// Marks the points where the polygon turns by more than "corner_turn" degrees.
+Status markTurning(const JsonValue& value, const PointRun& run, std::vector<bool>& isCorner) {
+  const double* degrees = value.number();
+  if (degrees == nullptr || !(*degrees > 0.0 && *degrees < 180.0)) {
+    return complaint(run.place, "\"corner_turn\" must be an angle between 0 and 180",
+                     "give the turning in degrees above which a point is a corner");
+  }
+  const std::size_t count = run.points.size();
+  for (std::size_t i = run.closed ? 0 : 1; i + (run.closed ? 0 : 1) < count; ++i) {
+    const Point before = run.points[i] - run.points[(i + count - 1) % count];
+    const Point after = run.points[(i + 1) % count] - run.points[i];
+    if (std::fabs(trig::angleBetween(before, after)) > *degrees * trig::kDegree) isCorner[i] = true;
+  }
+  return success();
+}
+
+Result<std::vector<int>> readCorners(const Reading& reading, const PointRun& run) {
+  std::vector<bool> isCorner(run.points.size(), false);
+  if (const JsonValue* listed = find(reading.object, "corners")) {
+    if (auto status = markListed(*listed, run, isCorner); !status) return status.error();
+  }
+  if (const JsonValue* turn = find(reading.object, "corner_turn")) {
+    if (auto status = markTurning(*turn, run, isCorner); !status) return status.error();
+  }
+  std::vector<int> corners;
+  for (std::size_t i = 0; i < isCorner.size(); ++i) {
+    if (isCorner[i]) corners.push_back(static_cast<int>(i));
+  }
+  return corners;
+}
+
+Status readSpline(const Reading& reading) {
+  const auto run = readRun(reading);
+  if (!run) return run.error();
+  if (auto status = checkRun(*run, run->closed ? 3 : 2, run->closed ? "a closed spline" : "a spline"); !status) {
+    return status;
+  }
+  const auto corners = readCorners(reading, *run);
+  return corners ? addSplines(*run, *corners, reading.draft) : Status(corners.error());
+}
+
+Status readCircle(const Reading& reading) {
+  const auto centre = require(reading.object, "centre", reading.place);
+  if (!centre) return centre.error();
+  const auto radius = require(reading.object, "radius", reading.place);
+  if (!radius) return radius.error();
+  const auto middle = readPoint(**centre, "\"centre\"", reading.place, -1);
+  if (!middle) return middle.error();
+  const auto reach = readPositive(**radius, "radius", reading.place);
+  if (!reach) return reach.error();
+  reading.draft.domain.curves.push_back(makeCircle(*middle, *reach));
+  reading.draft.sources.push_back({.piece = reading.place.piece});
+  return success();
+}
+
+Status readArc(const Reading& reading) {
+  const auto run = readRun(reading);
+  if (!run) return run.error();
+  if (run->points.size() != 3) {
+    return complaint(reading.place, fmt::format("an arc has {} points", run->points.size()),
+                     "give three: where it starts, one that it passes, where it ends");
+  }
+  const auto status = checkRun(*run, 3, "an arc");
+  return status ? addArc(*run, reading.draft) : status;
+}
+
+Status readPieces(const Reading& reading);
+
+/// What a loop, a segment or a piece can be.
+struct Kind {
+  std::string_view name;
+  bool ofLoop;
+  bool ofSegment;
+  bool ofPiece;
+  std::array<std::string_view, 3> keys;  // beside the common ones
+  Status (*read)(const Reading&);
+};
+
+constexpr std::array<Kind, 7> kKinds{{{"polygon", true, false, false, {"points"}, readPolygon},
+                                      {"polyline", false, true, false, {"points"}, readPolygon},
+                                      {"line", false, false, true, {"points"}, readPolygon},
+                                      {"arc", false, false, true, {"points"}, readArc},
+                                      {"spline", true, true, true, {"points", "corners", "corner_turn"}, readSpline},
+                                      {"circle", true, false, false, {"centre", "radius"}, readCircle},
+                                      {"pieces", true, true, false, {"pieces"}, readPieces}}};
+
+bool allows(const Kind& kind, const Reading& reading) {
+  return reading.place.piece >= 0 ? kind.ofPiece : reading.closed ? kind.ofLoop : kind.ofSegment;
+}
+
+/// Reads what an object says by its "kind".
+Status readKind(const Reading& reading, std::string_view otherwise) {
+  const auto name = readText(reading.object, "kind", reading.place, std::string(otherwise));
+  if (!name) return name.error();
+  std::vector<std::string_view> possible;
+  for (const Kind& kind : kKinds) {
+    if (!allows(kind, reading)) continue;
+    possible.push_back(kind.name);
+    if (kind.name != *name) continue;
+    std::vector<std::string_view> keys{"kind", "description"};
+    if (reading.place.piece < 0) keys.emplace_back("name");
+    std::copy_if(kind.keys.begin(), kind.keys.end(), std::back_inserter(keys), [](auto key) { return !key.empty(); });
+    const auto status = checkKeys(reading.object, keys, reading.place);
+    return status ? kind.read(reading) : status;
+  }
+  return complaint(reading.place, fmt::format("unknown kind \"{}\"", *name),
+                   fmt::format("known here: {}", fmt::join(possible, ", ")));
+}
+
+Error gap(const ReadPlace& place, int from, Point end, int to, Point start) {
+  Error error{.message = fmt::format("not closed: piece {} ends at ({}, {}) but piece {} starts at ({}, {})", from,
+                                     end.x, end.y, to, start.x, start.y),
+              .hint = "let each piece start exactly where the one before it ends",
+              .loop = place.loop};
+  error.at = end;
+  return error;
+}
+
+Status readPieces(const Reading& reading) {
+  const auto value = require(reading.object, "pieces", reading.place);
+  if (!value) return value.error();
+  const JsonValue::List* list = (*value)->list();
+  if (list == nullptr || list->empty()) {
+    return complaint(reading.place, "\"pieces\" must be a list of pieces",
+                     "write \"pieces\": [{\"kind\": \"line\", \"points\": [[x, y], [x, y]]}, …]");
+  }
+  auto& curves = reading.draft.domain.curves;
+  const std::size_t first = curves.size();
+  for (std::size_t i = 0; i < list->size(); ++i) {
+    const auto number = static_cast<int>(i);
+    const ReadPlace place{reading.place.loop, number};
+    const Object* object = (*list)[i].object();
+    if (object == nullptr) {
+      return complaint(place, fmt::format("it is {}, not an object", (*list)[i].typeName()),
+                       "write {\"kind\": \"line\", \"points\": [[x, y], [x, y]]}");
+    }
+    const std::size_t begin = curves.size();
+    if (auto status = readKind({*object, place, false, reading.draft}, "line"); !status) return status;
+    if (begin > first && !(curves[begin - 1].b == curves[begin].a)) {
+      return gap(place, number - 1, curves[begin - 1].b, number, curves[begin].a);
+    }
+  }
+  if (reading.closed && !(curves.back().b == curves[first].a)) {
+    return gap(reading.place, static_cast<int>(list->size()) - 1, curves.back().b, 0, curves[first].a);
+  }
+  return success();
+}
+
+Status readObject(const Object& object, ReadPlace& place, bool closed, DomainDraft& draft) {
+  auto name = readText(object, "name", place, place.loop);
+  if (!name) return name.error();
+  if (name->empty()) return complaint(place, "\"name\" is empty", "give it a name, or leave the key out");
+  place.loop = std::move(*name);
+  const std::string_view plain = closed ? "polygon" : "polyline";
+  return readKind({object, place, closed, draft}, find(object, "pieces") != nullptr ? "pieces" : plain);
 }
 
 }  // namespace
 
 Status readLoop(const JsonValue& value, LoopRole role, int number, DomainDraft& draft) {
-  const std::string name = nameFor(role, number);
-  auto read = readPoints(value, name);
-  if (!read) return read.error();
-  std::vector<Point>& points = *read;
+  ReadPlace place{defaultName(role, number)};
   const bool closed = role != LoopRole::chain;
-  if (closed && points.size() > 1 && points.front() == points.back()) points.pop_back();
-  const std::size_t fewest = closed ? 3 : 2;
-  if (points.size() < fewest) {
-    return Error{.message = fmt::format("{} of at least {} points needed", points.size(), fewest),
-                 .hint = closed ? "a loop needs three points or more" : "a segment needs two points or more",
-                 .loop = name,
-                 .point = points.empty() ? -1 : 0,
-                 .at = points.empty() ? std::nullopt : std::optional(points[0])};
+  const std::size_t first = draft.domain.curves.size();
+  Status status = success();
+  if (const Object* object = value.object()) {
+    status = readObject(*object, place, closed, draft);
+  } else if (value.list() != nullptr) {
+    const auto run = readRun(value, closed, place);
+    status = run ? addPolygon(*run, draft) : Status(run.error());
+  } else {
+    status = complaint(place, fmt::format("it is {}, not a loop", value.typeName()),
+                       "write a list of points [[x, y], …] or an object with a \"kind\"");
   }
-  const auto first = static_cast<std::uint32_t>(draft.domain.curves.size());
-  const std::size_t edges = closed ? points.size() : points.size() - 1;
-  for (std::size_t i = 0; i < edges; ++i) {
-    const std::size_t next = (i + 1) % points.size();
-    if (points[i] == points[next]) {
-      return Error{.message = fmt::format("the same as point {}", i),
-                   .hint = "remove one of the two",
-                   .loop = name,
-                   .point = static_cast<int>(next),
-                   .at = points[i]};
-    }
-    draft.domain.curves.push_back({.kind = CurveKind::line, .a = points[i], .b = points[next]});
-    draft.sources.push_back({.first = static_cast<int>(i), .count = static_cast<int>(points.size())});
-  }
-  draft.domain.loops.push_back({name, role, first, static_cast<std::uint32_t>(edges)});
+  if (!status) return status;
+  const std::size_t count = draft.domain.curves.size() - first;
+  draft.domain.loops.push_back(
+      {place.loop, role, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
   return success();
 }
 

@@ -7,7 +7,8 @@
 
 namespace triscope {
 
-/// Adds the loop to the draft. `number` counts from 1 within its list and makes the name where none is given.
+/// Adds the loop to the draft, not yet oriented or checked against others. `number` counts from 1 within its list
+/// and makes the name where none is given.
 Status readLoop(const JsonValue& value, LoopRole role, int number, DomainDraft& draft);
 
 }  // namespace triscope
