@@ -237,6 +237,7 @@ void buildDecision(const SceneInput& in, Layer& layer) {
       addCell(in, layer);
       break;
     case EventKind::constraint_found:
+    case EventKind::boundary_point:
       layer.marks.push_back(oneMark(event.at, Shape::ring, 15.0f, in.theme.candidate, {0, 0, 0, 0}));
       break;
     case EventKind::vertex_removed:
