@@ -16,6 +16,7 @@ enum class EventKind : std::uint8_t {
   constraint_found,  // subject: constraint index; measured: length asked for; limit: 0
   cell_split,        // subject: cell; created: first of its four children
   cell_ranked,       // subject: cell; measured: new density rank; limit: rank before
+  boundary_point,    // subject: curve; other: index in MeshState::boundary; measured: edge length h there
   vertex_inserted,   // subject: triangle id it was proposed for (kNoId when none); vertex: the new one
   vertex_refused,    // subject: triangle id; at: where it would have gone; refusal: why
   edge_split,        // vertex: the new one, on the boundary; subject: boundary edge index

@@ -32,6 +32,7 @@ struct Cursor {
   std::uint64_t changes = 0;  // decisions of this stage that changed something
   std::vector<std::int32_t> worklist;
   std::vector<std::int32_t> next;
+  std::vector<Point> points;
 };
 
 /// A boundary point before it is a vertex.
@@ -55,9 +56,10 @@ struct MeshState {
   Mesh mesh;
   std::vector<std::int32_t> front1;  // vertices, in the order placed
   std::vector<std::int32_t> front2;
-  Stage stage = Stage::constraints;  // the stage that the next decision belongs to
-  std::uint16_t round = 0;           // of steps 2-5, from 1; pass of step 6 while in refine
-  std::uint64_t roundChanges = 0;    // insertions since this round began
+  std::vector<std::int32_t> frontLoops;  // the first front as closed loops of vertices, each ended by -1
+  Stage stage = Stage::constraints;      // the stage that the next decision belongs to
+  std::uint16_t round = 0;               // of steps 2-5, from 1; pass of step 6 while in refine
+  std::uint64_t roundChanges = 0;        // insertions since this round began
   Cursor cursor;
   std::uint64_t tick = 0;  // decisions made
   std::array<StageCounts, kStageCount> counts{};

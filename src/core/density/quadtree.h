@@ -22,9 +22,10 @@ struct Cell {
 };
 
 struct Quadtree {
-  std::vector<Cell> cells;                                     // cells[0] is the root
-  Point origin;                                                // lower left corner of the root
-  double minEdge = 1.0;                                        // Δx
+  std::vector<Cell> cells;  // cells[0] is the root
+  Point origin;             // lower left corner of the root
+  double minEdge = 1.0;     // Δx
+  double minEdgeInverse = 1.0;
   [[nodiscard]] double unit() const { return 4.0 * minEdge; }  // side of a rank-1 cell
   [[nodiscard]] double side(const Cell& c) const { return unit() * static_cast<double>(1ull << (c.rank - 1)); }
   [[nodiscard]] Point corner(const Cell& c) const {
@@ -41,6 +42,17 @@ int smallestCellRank(int densityRank);
 int largestCellRank(int densityRank);
 /// Table 1, fifth column: 2 (side / h)².
 double trianglesInCell(int cellRank, int densityRank);
+
+/// A tree of one cell: the smallest square of side 4Δx·2^(j-1) that holds the box, centred on it. The box must not
+/// be wider than kLargestSide·Δx.
+inline constexpr double kLargestSide = 4.0 * (1u << 30);
+Quadtree rootOver(const Box& box, double minEdge);
+
+/// Gives a leaf four children that inherit its density as far as their rank allows. Returns the first.
+std::int32_t splitCell(Quadtree& tree, std::int32_t leaf);
+
+/// Leaves that touch the leaf's sides or corners, each once, in a fixed order.
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found);
 
 /// Leaf that holds p (points outside the root go to the nearest leaf).
 std::int32_t leafAt(const Quadtree& tree, Point p);

@@ -49,6 +49,8 @@ struct BoundaryEdge {
 inline constexpr std::uint8_t kConstrained0 = 1;  // edge i is on the boundary or an inner chain: 1 << i
 inline constexpr std::uint8_t kDead = 8;          // free slot
 inline constexpr std::uint8_t kQueued = 16;       // waits in a worklist
+inline constexpr std::uint8_t kInCavity = 32;     // while one insertion looks at it; never left set
+inline constexpr std::uint8_t kConstrainedAll = 7;
 
 struct Mesh {
   std::vector<Point> points;
@@ -59,6 +61,7 @@ struct Mesh {
   std::vector<Triangle> triangles;           // per slot
   std::vector<std::uint32_t> ids;            // per slot
   std::vector<std::uint8_t> flags;           // per slot
+  std::vector<std::uint8_t> tested;          // per slot: bit k: rule k looked at it since it or a neighbour changed
   std::vector<std::int32_t> freeSlots;       // last freed, first reused
   std::vector<BoundaryEdge> edges;
   std::uint32_t nextId = 0;
@@ -67,5 +70,33 @@ struct Mesh {
   [[nodiscard]] bool alive(std::int32_t slot) const { return (flags[static_cast<std::size_t>(slot)] & kDead) == 0; }
   [[nodiscard]] std::size_t liveCount() const { return triangles.size() - freeSlots.size(); }
 };
+
+/// Corner after and before corner i of a triangle.
+inline constexpr int next3(int i) { return i == 2 ? 0 : i + 1; }
+inline constexpr int prev3(int i) { return i == 0 ? 2 : i - 1; }
+
+/// Half-edge h = 3·t + i is edge i of triangle t, from its start to its end.
+inline constexpr std::int32_t triangleOf(std::int32_t half) { return half / 3; }
+inline constexpr int cornerOf(std::int32_t half) { return half % 3; }
+inline const Triangle& triangleAt(const Mesh& mesh, std::int32_t slot) {
+  return mesh.triangles[static_cast<std::size_t>(slot)];
+}
+inline Point pointOf(const Mesh& mesh, std::int32_t vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; }
+inline std::int32_t startOf(const Mesh& mesh, std::int32_t half) {
+  return triangleAt(mesh, triangleOf(half)).v[static_cast<std::size_t>(next3(cornerOf(half)))];
+}
+inline std::int32_t endOf(const Mesh& mesh, std::int32_t half) {
+  return triangleAt(mesh, triangleOf(half)).v[static_cast<std::size_t>(prev3(cornerOf(half)))];
+}
+inline std::int32_t apexOf(const Mesh& mesh, std::int32_t half) {
+  return triangleAt(mesh, triangleOf(half)).v[static_cast<std::size_t>(cornerOf(half))];
+}
+inline std::int32_t oppositeOf(const Mesh& mesh, std::int32_t half) {
+  return triangleAt(mesh, triangleOf(half)).adj[static_cast<std::size_t>(cornerOf(half))];
+}
+inline bool constrained(const Mesh& mesh, std::int32_t half) {
+  return (mesh.flags[static_cast<std::size_t>(triangleOf(half))] >> cornerOf(half) & 1) != 0;
+}
+inline std::uint32_t idOf(const Mesh& mesh, std::int32_t slot) { return mesh.ids[static_cast<std::size_t>(slot)]; }
 
 }  // namespace triscope

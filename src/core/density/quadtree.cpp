@@ -1,0 +1,128 @@
+#include "core/density/quadtree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace triscope {
+namespace {
+
+// 2^(1/3) and 2^(2/3), correctly rounded (the paper's k = 1.26 and k² = 1.5876, before rounding).
+constexpr std::array<double, 3> kThird = {1.0, 1.2599210498948732, 1.5874010519681994};
+
+const Cell& cellAt(const Quadtree& tree, std::int32_t index) { return tree.cells[static_cast<std::size_t>(index)]; }
+
+double powerOfTwo(int exponent) { return static_cast<double>(1ull << exponent); }
+
+// Leaf over the lattice square (x, y) of rank-1 side.
+std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y) {
+  std::int32_t index = 0;
+  int shift = cellAt(tree, 0).rank - 2;
+  for (;;) {
+    const std::int32_t child = cellAt(tree, index).child;
+    if (child < 0) return index;
+    index = child + static_cast<std::int32_t>((x >> shift & 1u) | (y >> shift & 1u) << 1);
+    --shift;
+  }
+}
+
+}  // namespace
+
+double rankLength(int densityRank) {
+  const int i = densityRank - 1;
+  return kThird[static_cast<std::size_t>(i % 3)] * powerOfTwo(i / 3);
+}
+
+int rankAtMost(double lengthInMinEdges) {
+  int rank = 1;
+  while (rank < 96 && rankLength(rank + 1) <= lengthInMinEdges) ++rank;
+  return rank;
+}
+
+int smallestCellRank(int densityRank) { return (densityRank + 2) / 3; }
+int largestCellRank(int densityRank) { return densityRank / 3 + 1; }
+
+double trianglesInCell(int cellRank, int densityRank) {
+  const double ratio = 4.0 * powerOfTwo(cellRank - 1) / rankLength(densityRank);
+  return 2.0 * ratio * ratio;
+}
+
+Quadtree rootOver(const Box& box, double minEdge) {
+  Quadtree tree;
+  tree.minEdge = minEdge;
+  tree.minEdgeInverse = 1.0 / minEdge;
+  Cell root;
+  const double extent = std::max(box.width(), box.height());
+  while (tree.side(root) < extent) ++root.rank;
+  root.density = static_cast<std::uint8_t>(3 * root.rank);
+  const double half = 0.5 * tree.side(root);
+  tree.origin = midpoint(box.lo, box.hi) - Point{half, half};
+  tree.cells.push_back(root);
+  return tree;
+}
+
+std::int32_t splitCell(Quadtree& tree, std::int32_t leaf) {
+  const auto first = static_cast<std::int32_t>(tree.cells.size());
+  const Cell parent = cellAt(tree, leaf);
+  tree.cells[static_cast<std::size_t>(leaf)].child = first;
+  Cell child = parent;
+  child.child = -1;
+  child.rank = static_cast<std::uint8_t>(parent.rank - 1);
+  child.density = std::min(parent.density, static_cast<std::uint8_t>(3 * child.rank));
+  const std::uint32_t side = 1u << (child.rank - 1);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    child.x = parent.x + (k & 1u) * side;
+    child.y = parent.y + (k >> 1) * side;
+    tree.cells.push_back(child);
+  }
+  return first;
+}
+
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found) {
+  found.clear();
+  const Cell& cell = cellAt(tree, leaf);
+  const std::uint32_t side = 1u << (cell.rank - 1);
+  const std::uint32_t all = 1u << (cellAt(tree, 0).rank - 1);
+  const auto visit = [&](std::int64_t x, std::int64_t y) -> std::uint32_t {
+    if (x < 0 || y < 0 || x >= all || y >= all) return 0;
+    const std::int32_t other = leafOver(tree, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    if (std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
+    return 1u << (cellAt(tree, other).rank - 1);
+  };
+  const std::int64_t left = static_cast<std::int64_t>(cell.x) - 1;
+  const std::int64_t right = static_cast<std::int64_t>(cell.x) + side;
+  const std::int64_t below = static_cast<std::int64_t>(cell.y) - 1;
+  const std::int64_t above = static_cast<std::int64_t>(cell.y) + side;
+  // Along each side, one step past the leaf just found.
+  const auto along = [&](bool vertical, std::int64_t fixed) {
+    const std::int64_t from = vertical ? cell.y : cell.x;
+    for (std::int64_t s = from; s < from + side;) {
+      const std::uint32_t step = vertical ? visit(fixed, s) : visit(s, fixed);
+      if (step == 0) return;
+      s = (s / step + 1) * step;
+    }
+  };
+  visit(left, below);
+  along(false, below);
+  visit(right, below);
+  along(true, left);
+  along(true, right);
+  visit(left, above);
+  along(false, above);
+  visit(right, above);
+}
+
+std::int32_t leafAt(const Quadtree& tree, Point p) {
+  const std::uint32_t all = 1u << (cellAt(tree, 0).rank - 1);
+  const double scale = 0.25 * tree.minEdgeInverse;
+  const auto lattice = [all](double s) -> std::uint32_t {
+    if (!(s > 0.0)) return 0;
+    return s >= static_cast<double>(all) ? all - 1 : static_cast<std::uint32_t>(s);
+  };
+  return leafOver(tree, lattice((p.x - tree.origin.x) * scale), lattice((p.y - tree.origin.y) * scale));
+}
+
+int densityRankAt(const Quadtree& tree, Point p) { return cellAt(tree, leafAt(tree, p)).density; }
+
+double edgeLengthAt(const Quadtree& tree, Point p) { return tree.minEdge * rankLength(densityRankAt(tree, p)); }
+
+}  // namespace triscope

@@ -1,0 +1,25 @@
+// Edge flips, and the restoration of the Delaunay property by them (C. L. Lawson, 1977).
+#pragma once
+
+#include "core/mesh/mesh.h"
+
+namespace triscope {
+
+/// Replaces the edge by the other diagonal of its quadrilateral. The two triangles keep their slots and get new ids.
+/// The edge must have two sides, be unconstrained, and its quadrilateral strictly convex. Returns the half-edge of
+/// the new diagonal.
+std::int32_t flipEdge(Mesh& mesh, std::int32_t half);
+
+/// True when the edge is unconstrained and the apex beyond it lies strictly inside this side's circumcircle (exact).
+bool flipWanted(const Mesh& mesh, std::int32_t half);
+
+/// One flip: the diagonal that vanished and the one that came, as vertices, so that it can be undone.
+struct Flip {
+  std::int32_t a, b;  // old diagonal
+  std::int32_t c, d;  // new diagonal
+};
+
+/// Flips until the edges on and around the given half-edges' triangles are locally Delaunay. Appends each flip.
+void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done);
+
+}  // namespace triscope

@@ -1,0 +1,166 @@
+#include "core/pipeline.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/density/quadtree.h"
+#include "core/density/sources.h"
+#include "core/stages/stage_runs.h"
+
+namespace triscope {
+namespace {
+
+constexpr std::array<StageInfo, kStageCount> kStages = {{
+    {Stage::constraints, "constraints", "constraints",
+     "finds what asks for short edges: wishes, curvature, corners, gaps, short input edges", "Figure 1 (a)",
+     runConstraints},
+    {Stage::quadtree, "quadtree", "quadtree",
+     "splits cells until each may hold its constraint's density rank, and balances the tree 2:1", "Figure 1 (b)",
+     runQuadtree},
+    {Stage::density, "density", "density", "spreads the density ranks from the densest cells by an advancing front",
+     "Figure 1 (c), (d)", runDensity},
+    {Stage::boundary, "boundary points", "boundary", "places points on the boundary, one per edge length",
+     "Figure 4 (a)", runBoundary},
+    {Stage::triangulation, "triangulation", "triangulation",
+     "triangulates the boundary points by Bowyer-Watson insertion", "Figure 4 (b)", runTriangulation},
+    {Stage::recovery, "boundary recovery", "recovery",
+     "splits boundary edges that the triangulation lacks, until none is missing", "Figure 4 (b)", runRecovery},
+    {Stage::carve, "carve", "carve", "removes the triangles outside the domain", "Figure 4 (b)", runCarve},
+    {Stage::front1, "first front", "front1", "places the first front of points off the boundary", "Figure 4 (c)",
+     runFront1},
+    {Stage::front2, "second front", "front2", "places the second front of points off the first", "Figure 4 (c)",
+     runFront2},
+    {Stage::step1, "step 1", "step1", "inserts circumcentres where R is not below the edge length at the centre",
+     "Figure 4 (d)", runSteps},
+    {Stage::step2, "step 2", "step2", "inserts circumcentres where R is not below the least edge length at the apexes",
+     "", runSteps},
+    {Stage::step3, "step 3", "step3",
+     "inserts circumcentres where R is not below the shortest edge: angles and edge ratio", "", runSteps},
+    {Stage::step4, "step 4", "step4",
+     "inserts circumcentres where R is not below a neighbour's shortest edge: area ratio", "", runSteps},
+    {Stage::step5, "step 5", "step5",
+     "inserts points over shared edges where the neighbour is too tall: area ratio below 3", "Figure 4 (e)", runSteps},
+    {Stage::refine, "step 6", "refine", "moves points: Laplacian filter, obtuse angles, shared edges", "Figure 4 (f)",
+     runRefine},
+    {Stage::finished, "finished", "finished", "the mesh is done", "Figure 4 (f)", nullptr},
+}};
+
+StageCounts& countsOf(MeshState& state) { return state.counts[static_cast<std::size_t>(state.stage)]; }
+
+void recordStage(MeshState& state, EventKind kind, std::uint64_t subject, Journal& journal) {
+  if (!journal.listening()) return;
+  Event event = eventIn(state, kind, Rule::none);
+  event.subject = static_cast<std::uint32_t>(subject);
+  journal.record(event);
+}
+
+// Steps 2-5 come round again until a whole round inserts nothing.
+Stage after(MeshState& state) {
+  if (state.failed) return Stage::finished;
+  if (state.stage == Stage::step1) state.round = 0;
+  if (state.stage == Stage::step5 && state.roundChanges > 0 && state.round < state.settings.maxRounds)
+    return Stage::step2;
+  if (state.stage == Stage::step5) {
+    const Settings& s = state.settings;
+    state.round = 0;
+    return s.laplacian || s.reduceObtuse || s.sharedEdge ? Stage::refine : Stage::finished;
+  }
+  return static_cast<Stage>(static_cast<int>(state.stage) + 1);
+}
+
+void leaveStage(MeshState& state, Journal& journal) {
+  recordStage(state, EventKind::stage_finished, state.cursor.changes, journal);
+  state.stage = after(state);
+  state.cursor = {};
+  if (state.stage == Stage::step2) {
+    ++state.round;
+    state.roundChanges = 0;
+  }
+}
+
+enum class Beat : std::uint8_t { decided, inserted, left_stage, over };
+
+// The smallest move: a decision, or the step from a stage with nothing left to do into the next.
+Beat beat(MeshState& state, Journal& journal) {
+  if (state.stage == Stage::finished) return Beat::over;
+  if (!state.cursor.begun) recordStage(state, EventKind::stage_begun, state.round, journal);
+  const Outcome outcome = infoOf(state.stage).runOne(state, journal);
+  if (outcome == Outcome::done) {
+    leaveStage(state, journal);
+    return Beat::left_stage;
+  }
+  ++state.tick;
+  ++countsOf(state).decisions;
+  if (outcome == Outcome::decided) return Beat::decided;
+  ++countsOf(state).inserted;
+  ++state.cursor.changes;
+  ++state.roundChanges;
+  return Beat::inserted;
+}
+
+// True when the grain asked for is complete after a beat that began in `round`.
+bool complete(Grain grain, Beat last, const MeshState& state, std::uint16_t round) {
+  switch (grain) {
+    case Grain::decision:
+      return last == Beat::decided || last == Beat::inserted;
+    case Grain::insertion:
+      return last == Beat::inserted;
+    case Grain::stage:
+      return last == Beat::left_stage;
+    case Grain::round:
+      return state.round != round;
+    case Grain::all:
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::span<const StageInfo> stages() { return kStages; }
+
+Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& settings) {
+  MeshState state;
+  state.settings = settings;
+  state.minEdge = settings.minEdge > 0.0 ? settings.minEdge : domain->minEdgeLength;
+  if (state.minEdge <= 0.0) {
+    state.minEdge = deriveMinEdge(*domain, settings);
+    state.minEdgeDerived = true;
+  }
+  const double extent = std::max(domain->bounds.width(), domain->bounds.height());
+  if (!(state.minEdge > 0.0) || extent > kLargestSide * state.minEdge) {
+    Error error;
+    error.message = "the smallest edge length is less than a four-thousand-millionth of the domain's extent";
+    error.hint = "give a larger min_edge_length, or scale the domain's details up";
+    error.file = domain->file;
+    return error;
+  }
+  if (state.minEdge > extent) {
+    Error error;
+    error.message = "the smallest edge length is larger than the whole domain";
+    error.hint = "give a min_edge_length well below the domain's extent";
+    error.file = domain->file;
+    return error;
+  }
+  state.domain = std::move(domain);
+  return state;
+}
+
+bool advance(MeshState& state, Grain grain, Journal& journal) {
+  if (state.stage == Stage::finished) return false;
+  const std::uint16_t round = state.round;
+  for (;;) {
+    const Beat last = beat(state, journal);
+    if (last == Beat::over || complete(grain, last, state, round)) return true;
+  }
+}
+
+bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal) {
+  const auto reached = [&] { return stage == Stage::step5 ? state.stage >= Stage::refine : state.stage > stage; };
+  for (; limit > 0 && !reached(); --limit) {
+    if (beat(state, journal) == Beat::over) break;
+  }
+  return !reached() && state.stage != Stage::finished;
+}
+
+}  // namespace triscope

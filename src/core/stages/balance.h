@@ -1,0 +1,14 @@
+// The 2:1 balance of the quadtree, shared by the stages that split cells.
+#pragma once
+
+#include "core/pipeline.h"
+
+namespace triscope {
+
+/// Puts every leaf on the cursor's worklist.
+void queueLeaves(MeshState& state);
+/// Splits one leaf that is more than one rank larger than a neighbour on the worklist; done when there is none.
+Outcome balanceOne(MeshState& state, Journal& journal);
+void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32_t leaf, std::int32_t first);
+
+}  // namespace triscope

@@ -1,0 +1,103 @@
+#include "core/stages/place.h"
+
+#include <algorithm>
+
+#include "core/mesh/edit.h"
+#include "core/mesh/flip.h"
+
+namespace triscope {
+namespace {
+
+thread_local Cavity cavity;
+thread_local std::vector<std::int32_t> suspects;
+thread_local std::vector<Flip> flips;
+
+// True when p sees the edge a-b under an angle whose cosine is below `limit`.
+bool seenTooWide(Point p, Point a, Point b, double limit) {
+  const Point u = a - p;
+  const Point v = b - p;
+  const double product = dot(u, v);
+  if (limit == 0.0) return product < 0.0;
+  if (product >= 0.0) return false;
+  return product * product > limit * limit * squaredLength(u) * squaredLength(v);
+}
+
+}  // namespace
+
+Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand) {
+  Attempt attempt;
+  const Location location = walkTo(mesh, start, p);
+  if (location.blocked >= 0) {
+    attempt.refusal = Refusal::outside_domain;
+    attempt.wall = location.blocked;
+    return attempt;
+  }
+  findCavity(mesh, p, location.triangle, cavity);
+  for (const std::int32_t half : cavity.rim) {
+    if (!constrained(mesh, half)) continue;
+    if (!seenTooWide(p, pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), demand.sightCosine))
+      continue;
+    attempt.refusal = Refusal::encroaches_boundary;
+    attempt.wall = half;
+    return attempt;
+  }
+  const double nearest = nearestSquaredDistance(mesh, cavity, p);
+  if (nearest <= 0.0 || nearest < demand.nearest * demand.nearest) {
+    attempt.refusal = Refusal::too_close;
+    attempt.measured = std::sqrt(nearest);
+    attempt.limit = demand.nearest;
+    return attempt;
+  }
+  attempt.firstId = mesh.nextId;
+  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangles.size());
+  attempt.vertex = fillCavity(mesh, cavity, p, kind, static_cast<std::uint8_t>(densityRankAt(tree, p)));
+  attempt.createdCount = mesh.nextId - attempt.firstId;
+  return attempt;
+}
+
+Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge) {
+  Attempt attempt;
+  const BoundaryEdge old = mesh.edges[at(edge)];
+  const double t = 0.5 * (old.t0 + old.t1);
+  const Point p = pointAt(domain.curves[old.curve], t);
+  const double half =
+      std::sqrt(std::min(squaredDistance(pointOf(mesh, old.v0), p), squaredDistance(pointOf(mesh, old.v1), p)));
+  if (half < minEdge * (1.0 - 1e-9)) {
+    attempt.refusal = Refusal::edge_below_minimum;
+    attempt.measured = half;
+    attempt.limit = minEdge;
+    return attempt;
+  }
+  std::int32_t side = findHalfEdge(mesh, old.v0, old.v1);
+  if (side < 0) side = findHalfEdge(mesh, old.v1, old.v0);
+  if (side < 0 || !findSplitCavity(mesh, p, side, cavity)) {
+    attempt.refusal = Refusal::inverts_triangle;
+    return attempt;
+  }
+  attempt.firstId = mesh.nextId;
+  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangles.size());
+  attempt.vertex = fillSplitCavity(mesh, cavity, p, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p)));
+  // A point on a bent curve lies off its chord, where the cavity's argument for the Delaunay property does not hold.
+  thread_local Star star;
+  starOf(mesh, attempt.vertex, star);
+  suspects.assign(star.rim.begin(), star.rim.end());
+  flips.clear();
+  restoreDelaunay(mesh, suspects, flips);
+  attempt.createdCount = mesh.nextId - attempt.firstId;
+  return attempt;
+}
+
+void describeAttempt(Event& event, const Attempt& attempt) {
+  event.refusal = attempt.refusal;
+  if (attempt.vertex >= 0) {
+    event.vertex = static_cast<std::uint32_t>(attempt.vertex);
+    event.created = attempt.firstId;
+    event.createdCount = attempt.createdCount;
+    event.removedCount = static_cast<std::uint16_t>(attempt.removedCount);
+  } else {
+    event.measured = attempt.measured;
+    event.limit = attempt.limit;
+  }
+}
+
+}  // namespace triscope

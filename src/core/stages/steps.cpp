@@ -1,0 +1,71 @@
+// Stages "step1" … "step5" (paper, section 3.1): triangles are looked at until the rule proposes no further point.
+// New triangles are looked at next, so that insertions stay close to the last one.
+#include "core/mesh/edit.h"
+#include "core/stages/insertion_rules.h"
+#include "core/stages/place.h"
+#include "core/stages/stage_runs.h"
+
+namespace triscope {
+namespace {
+
+thread_local Star star;
+
+Rule ruleOf(Stage step) {
+  return static_cast<Rule>(static_cast<int>(Rule::step1) + static_cast<int>(step) - static_cast<int>(Stage::step1));
+}
+
+void queueStar(MeshState& state, std::int32_t vertex) {
+  starOf(state.mesh, vertex, star);
+  for (const std::int32_t rim : star.rim) state.cursor.worklist.push_back(triangleOf(rim));
+}
+
+void record(const MeshState& state, Journal& journal, std::uint32_t subject, const Proposal& proposal,
+            std::uint32_t other, const Attempt& attempt) {
+  if (!journal.listening()) return;
+  Event event =
+      eventIn(state, attempt.vertex >= 0 ? EventKind::vertex_inserted : EventKind::vertex_refused, ruleOf(state.stage));
+  event.subject = subject;
+  event.other = other;
+  event.at = proposal.at;
+  describeAttempt(event, attempt);
+  event.measured = proposal.measured;
+  event.limit = proposal.limit;
+  journal.record(event);
+}
+
+}  // namespace
+
+Outcome runSteps(MeshState& state, Journal& journal) {
+  Cursor& cursor = state.cursor;
+  Mesh& mesh = state.mesh;
+  const auto bit = static_cast<std::uint8_t>(1u << (static_cast<int>(state.stage) - static_cast<int>(Stage::step1)));
+  if (!cursor.begun) {
+    cursor.begun = true;
+    for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+      if ((mesh.flags[slot] & kDead) == 0 && (mesh.tested[slot] & bit) == 0) {
+        cursor.worklist.push_back(static_cast<std::int32_t>(slot));
+      }
+    }
+  }
+  while (!cursor.worklist.empty()) {
+    const std::int32_t slot = cursor.worklist.back();
+    cursor.worklist.pop_back();
+    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & bit) != 0) continue;
+    mesh.tested[at(slot)] |= bit;
+    Proposal proposal;
+    if (!proposes(state.stage, state, slot, proposal)) continue;
+    const std::uint32_t subject = idOf(mesh, slot);
+    const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
+    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {0.0, -0.5});
+    record(state, journal, subject, proposal, other, attempt);
+    if (attempt.vertex < 0) {
+      ++state.counts[static_cast<std::size_t>(state.stage)].refused;
+      return Outcome::decided;
+    }
+    queueStar(state, attempt.vertex);
+    return Outcome::inserted;
+  }
+  return Outcome::done;
+}
+
+}  // namespace triscope

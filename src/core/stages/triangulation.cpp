@@ -1,0 +1,116 @@
+// Stages "triangulation" and "recovery" (paper, section 3, Figure 4 b): the boundary points by Bowyer-Watson, then
+// every boundary edge made present by splitting the missing ones on their curves.
+#include <algorithm>
+
+#include "core/mesh/edit.h"
+#include "core/stages/place.h"
+#include "core/stages/stage_runs.h"
+
+namespace triscope {
+namespace {
+
+// Two triangles over a square far around the root: every boundary point falls inside.
+void boxAround(MeshState& state) {
+  Mesh& mesh = state.mesh;
+  const double side = state.tree.side(state.tree.cells[0]);
+  const Point lo = state.tree.origin - Point{3.0 * side, 3.0 * side};
+  const Point hi = state.tree.origin + Point{4.0 * side, 4.0 * side};
+  for (const Point corner : {lo, Point{hi.x, lo.y}, hi, Point{lo.x, hi.y}})
+    addVertex(mesh, corner, VertexKind::helper, 0);
+  addTriangle(mesh, 0, 1, 2);
+  addTriangle(mesh, 0, 2, 3);
+  link(mesh, 1, 5);
+}
+
+void addBoundaryEdges(MeshState& state) {
+  for (std::size_t k = 0; k + 1 < state.boundary.size(); ++k) {
+    const BoundaryPoint& a = state.boundary[k];
+    const BoundaryPoint& b = state.boundary[k + 1];
+    if (a.curve != b.curve) continue;
+    addBoundaryEdge(state.mesh, {a.vertex, b.vertex, a.curve, -1, -1, a.t, b.t});
+  }
+}
+
+// Vertex of the closed triangle `slot` at p, or -1.
+std::int32_t vertexAt(const Mesh& mesh, std::int32_t slot, Point p) {
+  for (const std::int32_t v : triangleAt(mesh, slot).v) {
+    if (pointOf(mesh, v) == p) return v;
+  }
+  return -1;
+}
+
+}  // namespace
+
+Outcome runTriangulation(MeshState& state, Journal& journal) {
+  Cursor& cursor = state.cursor;
+  Mesh& mesh = state.mesh;
+  if (!cursor.begun) {
+    cursor.begun = true;
+    boxAround(state);
+  }
+  for (; cursor.index < state.boundary.size(); ++cursor.index) {
+    BoundaryPoint& point = state.boundary[cursor.index];
+    const std::int32_t near = vertexAt(mesh, walkTo(mesh, mesh.lastTriangle, point.at).triangle, point.at);
+    if (near >= 0) {  // curves share their ends
+      point.vertex = near;
+      continue;
+    }
+    const Attempt attempt =
+        place(mesh, state.tree, point.at, mesh.lastTriangle, point.kept ? VertexKind::kept : VertexKind::boundary, {});
+    point.vertex = attempt.vertex;
+    if (journal.listening()) {
+      Event event = eventIn(state, EventKind::vertex_inserted, Rule::initial);
+      event.other = point.curve;
+      event.at = point.at;
+      describeAttempt(event, attempt);
+      journal.record(event);
+    }
+    ++cursor.index;
+    return Outcome::inserted;
+  }
+  addBoundaryEdges(state);
+  return Outcome::done;
+}
+
+Outcome runRecovery(MeshState& state, Journal& journal) {
+  // index: next boundary edge to look at; phase: 1 when this pass split one, so that another pass is due.
+  Cursor& cursor = state.cursor;
+  Mesh& mesh = state.mesh;
+  cursor.begun = true;
+  for (;;) {
+    for (; cursor.index < mesh.edges.size(); ++cursor.index) {
+      const BoundaryEdge edge = mesh.edges[cursor.index];
+      if (findHalfEdge(mesh, edge.v0, edge.v1) >= 0) continue;
+      const double t = 0.5 * (edge.t0 + edge.t1);
+      const Point p = pointAt(state.domain->curves[edge.curve], t);
+      const Attempt attempt = place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::split, {});
+      if (attempt.vertex < 0) {
+        state.failed = true;
+        if (journal.listening()) {
+          Event event = eventIn(state, EventKind::failure, Rule::recover_edge);
+          event.subject = static_cast<std::uint32_t>(cursor.index);
+          event.at = p;
+          describeAttempt(event, attempt);
+          journal.record(event);
+        }
+        return Outcome::done;
+      }
+      splitBoundaryEdge(mesh, static_cast<std::int32_t>(cursor.index), attempt.vertex, t);
+      cursor.phase = 1;
+      if (journal.listening()) {
+        Event event = eventIn(state, EventKind::edge_split, Rule::recover_edge);
+        event.at = p;
+        describeAttempt(event, attempt);
+        event.subject = static_cast<std::uint32_t>(cursor.index);
+        event.measured = distance(pointOf(mesh, edge.v0), pointOf(mesh, edge.v1));
+        journal.record(event);
+      }
+      return Outcome::inserted;
+    }
+    if (cursor.phase == 0) return Outcome::done;
+    cursor.phase = 0;
+    cursor.index = 0;
+  }
+}
+
+}  // namespace triscope
