@@ -1,0 +1,131 @@
+#include "render/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/io/atomic_file.h"
+#include "core/pipeline.h"
+#include "render/number.h"
+#include "render/raster.h"
+#include "render/svg.h"
+
+namespace triscope {
+namespace {
+
+enum class Format : std::uint8_t { unknown, svg, png };
+
+Format formatOf(std::string path) {
+  std::transform(path.begin(), path.end(), path.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (path.ends_with(".svg")) return Format::svg;
+  if (path.ends_with(".png")) return Format::png;
+  return Format::unknown;
+}
+
+Error usage(const std::string& path, std::string message, std::string hint) {
+  Error error;
+  error.code = ExitCode::usage;
+  error.file = path;
+  error.message = std::move(message);
+  error.hint = std::move(hint);
+  return error;
+}
+
+Status save(const std::string& path, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file.ok()) return file.error();
+  if (const Status written = file->write(bytes); !written.ok()) return written;
+  return file->commit();
+}
+
+constexpr std::array<FigurePreset, 10> kPresets{{
+    {"1a", Stage::constraints, 0, "The density constraints: the points of large curvature ask for the shortest edges.",
+     CellColoring::none},
+    {"1b", Stage::quadtree, 0, "The quadtree, split until each cell may hold its density rank, and balanced.",
+     CellColoring::rank},
+    {"1c", Stage::density, 24, "The advancing front has begun to spread the ranks from the densest cells.",
+     CellColoring::rank},
+    {"1d", Stage::density, 0, "The final quadtree with the four types of cells.", CellColoring::type},
+    {"4a", Stage::boundary, 0, "Points along the object and the outer boundary, one per edge length.",
+     CellColoring::none},
+    {"4b", Stage::carve, 0, "Triangulation of the boundary points, without the triangles outside.", CellColoring::none},
+    {"4c", Stage::front2, 0, "After two fronts of points near the boundaries.", CellColoring::none},
+    {"4d", Stage::step1, 0, "After step 1.", CellColoring::none},
+    {"4e", Stage::step5, 0, "After rounds of steps 2 to 5, without local refinements.", CellColoring::none},
+    {"4f", Stage::refine, 0, "After step 6, the local refinements.", CellColoring::none},
+}};
+
+}  // namespace
+
+std::span<const FigurePreset> figurePresets() { return kPresets; }
+
+ViewOptions figureView(Stage stage) {
+  ViewOptions view;
+  view.decision = false;
+  view.quadtree = stage <= Stage::density;
+  view.constraints = stage <= Stage::density;
+  view.cells = stage == Stage::constraints ? CellColoring::none : CellColoring::rank;
+  view.boundaryPoints = stage >= Stage::boundary && stage <= Stage::front2;
+  view.fronts = stage == Stage::front1 || stage == Stage::front2;
+  view.worst = stage >= Stage::step1;
+  view.obtuse = stage >= Stage::step5;
+  return view;
+}
+
+std::string figureTitle(const MeshState& state, Stage stage) {
+  std::string name = state.domain && !state.domain->name.empty() ? state.domain->name : std::string("domain");
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (stage == Stage::finished) return name;
+  return fmt::format("{}, after {}", name, stage == Stage::step5 ? "the rounds of steps 2–5" : infoOf(stage).name);
+}
+
+std::string figureCaption(const MeshState& state, Stage stage) {
+  if (stage <= Stage::quadtree) {
+    return fmt::format("Δx = {}; {} constraints, {} cells.", compact(state.minEdge), grouped(state.constraints.size()),
+                       grouped(state.tree.cells.size()));
+  }
+  if (stage == Stage::density || state.mesh.liveCount() == 0) {
+    return fmt::format("Δx = {}; {} boundary points; the table of density ranks estimates {} triangles.",
+                       compact(state.minEdge), grouped(state.boundary.size()),
+                       grouped(static_cast<std::uint64_t>(std::max(0.0, state.estimatedTriangles))));
+  }
+  const Quality q = measure(state.mesh);
+  std::string text = fmt::format("Δx = {}; {} vertices, {} triangles", compact(state.minEdge), grouped(q.vertices),
+                                 grouped(q.triangles));
+  if (stage < Stage::step1) return text + ".";
+  return text + fmt::format("; angles {}° to {}°, {} obtuse; aspect ratio {}, area ratio {}, edge ratio {} at worst.",
+                            compact(q.minAngle), compact(q.maxAngle), grouped(q.obtuse), compact(q.aspectMax),
+                            compact(q.areaRatioMax), compact(q.edgeRatioMax));
+}
+
+Status writeFigure(const std::string& path, const MeshState& state, const ViewOptions& view,
+                   const FigureOptions& options) {
+  const Format format = formatOf(path);
+  if (format == Format::unknown) {
+    return usage(path, "the name of a figure must end in .svg or .png", "choose one of them");
+  }
+  constexpr int kMost = 16384;
+  if (options.width < 64 || options.height < 64 || options.width > kMost || options.height > kMost) {
+    return usage(path, fmt::format("a figure of {} by {} pixels cannot be made", options.width, options.height),
+                 fmt::format("give a width and a height between 64 and {}", kMost));
+  }
+  const Quality quality = measure(state.mesh);
+  const Scene scene = buildScene(state, view, nullptr, &quality);
+  PictureOptions picture;
+  picture.title = options.title;
+  picture.caption = options.caption;
+  picture.legend = options.legend;
+  picture.scale = options.scale;
+  const PictureLayout layout = layoutWithin(options.width, options.height, scene, picture);
+  const Box box = options.region.value_or(scene.bounds);
+  const double margin = options.region ? 0.0 : 8.0 * options.scale;
+  const Camera camera = fitted(box, layout.plot.width, layout.plot.height, margin);
+  if (format == Format::svg) return save(path, svg(scene, camera, layout, picture));
+  const Result<std::string> png = encodePng(rasterize(scene, camera, layout, picture));
+  if (!png.ok()) return png.error();
+  return save(path, *png);
+}
+
+}  // namespace triscope
