@@ -17,9 +17,10 @@ struct TriangleQuality {
   double area = 0.0;      // signed
   double minAngle = 0.0;  // degrees
   double maxAngle = 0.0;  // degrees
-  bool obtuse = false;    // by the sign of a dot product, not by the angle
+  bool obtuse = false;    // by the exact sign of a dot product, not by the angle
 };
 
+/// Of a triangle in any orientation. Without area the aspect is infinite; with two equal corners the edge ratio too.
 TriangleQuality qualityOf(Point a, Point b, Point c);
 
 /// The bounds of section 3: every value must lie strictly inside.
@@ -31,11 +32,12 @@ struct Bounds {
   static constexpr double maxAngle = 120.0;
 };
 
-/// Worst values over all live triangles; the slot is the triangle that has it, -1 for an empty mesh.
-/// Ties go to the lowest id. Area ratio is over pairs that share an edge: the larger of the two is named first.
+/// Worst values over all live triangles but those at a corner of the box around everything; the slot is the triangle
+/// that has it, -1 for an empty mesh. Ties go to the lowest id. Area ratio is over pairs that share an edge: the larger
+/// of the two is named first.
 struct Quality {
-  std::size_t vertices = 0;  // that some triangle uses
-  std::size_t boundaryVertices = 0;
+  std::size_t vertices = 0;          // that some triangle uses
+  std::size_t boundaryVertices = 0;  // of these, ends of a boundary edge (inner chains count)
   std::size_t triangles = 0;
   std::size_t obtuse = 0;
   double aspectMax = 0.0;
@@ -53,6 +55,7 @@ struct Quality {
   std::int32_t minEdgeAt = -1;
   double area = 0.0;
   double aspectMean = 0.0;
+
   [[nodiscard]] bool withinBounds() const {
     return aspectMax < Bounds::aspect && areaRatioMax < Bounds::areaRatio && edgeRatioMax < Bounds::edgeRatio &&
            minAngle > Bounds::minAngle && maxAngle < Bounds::maxAngle;

@@ -1,0 +1,127 @@
+#include "core/quality/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/mesh/edit.h"
+
+namespace triscope {
+namespace {
+
+TEST(TriangleQuality, OfTheEquilateralTriangle) {
+  const double h = std::sqrt(3.0) / 2.0;
+  const TriangleQuality q = qualityOf({0, 0}, {1, 0}, {0.5, h});
+  EXPECT_NEAR(q.aspect, 2.0, 1e-15);
+  EXPECT_NEAR(q.circumradius, 1.0 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(q.inradius, 0.5 / std::sqrt(3.0), 1e-15);
+  EXPECT_NEAR(q.edgeRatio, 1.0, 1e-15);
+  EXPECT_NEAR(q.area, h / 2.0, 1e-15);
+  EXPECT_NEAR(q.minAngle, 60.0, 1e-13);
+  EXPECT_NEAR(q.maxAngle, 60.0, 1e-13);
+  EXPECT_FALSE(q.obtuse);
+}
+
+TEST(TriangleQuality, OfTheThreeFourFiveTriangle) {
+  const TriangleQuality q = qualityOf({0, 3}, {0, 0}, {4, 0});
+  EXPECT_DOUBLE_EQ(q.circumradius, 2.5);
+  EXPECT_DOUBLE_EQ(q.inradius, 1.0);
+  EXPECT_DOUBLE_EQ(q.aspect, 2.5);
+  EXPECT_DOUBLE_EQ(q.edgeRatio, 5.0 / 3.0);
+  EXPECT_DOUBLE_EQ(q.shortest, 3.0);
+  EXPECT_DOUBLE_EQ(q.longest, 5.0);
+  EXPECT_DOUBLE_EQ(q.area, 6.0);
+  EXPECT_DOUBLE_EQ(q.maxAngle, 90.0);
+  EXPECT_NEAR(q.minAngle, 36.86989764584402, 1e-13);
+  EXPECT_FALSE(q.obtuse);
+}
+
+TEST(TriangleQuality, AreaIsSignedAndTheRestIsNot) {
+  const TriangleQuality q = qualityOf({0, 3}, {4, 0}, {0, 0});
+  EXPECT_DOUBLE_EQ(q.area, -6.0);
+  EXPECT_DOUBLE_EQ(q.aspect, 2.5);
+  EXPECT_DOUBLE_EQ(q.maxAngle, 90.0);
+}
+
+TEST(TriangleQuality, ObtuseByTheLastBit) {
+  const Point a{0.1, 0.7}, arm{0.3, 0.2};
+  EXPECT_FALSE(qualityOf({0, 0}, {1, 0}, {0, 1}).obtuse);
+  EXPECT_TRUE(qualityOf({0, 0}, {1, 0}, {-0x1p-60, 1}).obtuse);
+  EXPECT_FALSE(qualityOf({0, 0}, {1, 0}, {0x1p-60, 1}).obtuse);
+  EXPECT_TRUE(qualityOf(a, a + arm, a + 0.5 * arm + 1e-3 * perpendicular(arm)).obtuse);
+}
+
+TEST(TriangleQuality, DegenerateTrianglesAreInfinitelyBad) {
+  const TriangleQuality flat = qualityOf({0, 0}, {1, 0}, {2, 0});
+  EXPECT_TRUE(std::isinf(flat.aspect));
+  EXPECT_EQ(flat.edgeRatio, 2.0);
+  EXPECT_EQ(flat.minAngle, 0.0);
+  EXPECT_DOUBLE_EQ(flat.maxAngle, 180.0);
+  const TriangleQuality point = qualityOf({1, 1}, {1, 1}, {1, 1});
+  EXPECT_TRUE(std::isinf(point.aspect));
+  EXPECT_TRUE(std::isinf(point.edgeRatio));
+}
+
+/// Two triangles on the edge from (0,0) to (4,0): apex (0,3) above and (1,-1) below.
+Mesh twoTriangles() {
+  Mesh mesh;
+  addVertex(mesh, {0, 0}, VertexKind::kept, 1);
+  addVertex(mesh, {4, 0}, VertexKind::kept, 1);
+  addVertex(mesh, {0, 3}, VertexKind::kept, 1);
+  addVertex(mesh, {1, -1}, VertexKind::steiner, 1);
+  addVertex(mesh, {9, 9}, VertexKind::removed, 1);
+  const std::int32_t below = addTriangle(mesh, 1, 0, 3);
+  const std::int32_t above = addTriangle(mesh, 0, 1, 2);
+  link(mesh, 3 * below + 2, 3 * above + 2);
+  addBoundaryEdge(mesh, {.v0 = 1, .v1 = 2});
+  return mesh;
+}
+
+TEST(MeshQuality, FindsTheWorstOfTwo) {
+  const Mesh mesh = twoTriangles();
+  const Quality q = measure(mesh);
+  EXPECT_EQ(q.triangles, 2u);
+  EXPECT_EQ(q.vertices, 4u);
+  EXPECT_EQ(q.boundaryVertices, 2u);
+  EXPECT_EQ(q.obtuse, 1u);
+  EXPECT_DOUBLE_EQ(q.area, 8.0);
+  EXPECT_DOUBLE_EQ(q.areaRatioMax, 3.0);
+  EXPECT_EQ(q.areaRatioAt, 1);
+  EXPECT_EQ(q.areaRatioOther, 0);
+  EXPECT_EQ(q.aspectAt, 0);
+  EXPECT_EQ(q.edgeRatioAt, 0);
+  EXPECT_DOUBLE_EQ(q.edgeRatioMax, 4.0 / std::sqrt(2.0));
+  EXPECT_DOUBLE_EQ(q.minEdge, std::sqrt(2.0));
+  EXPECT_EQ(q.minEdgeAt, 0);
+  EXPECT_EQ(q.maxAngleAt, 0);
+  EXPECT_NEAR(q.maxAngle, 45.0 + std::atan2(3.0, 1.0) * 180.0 / 3.141592653589793, 1e-12);
+  EXPECT_FALSE(q.withinBounds());
+}
+
+TEST(MeshQuality, TiesGoToTheLowestId) {
+  Mesh mesh = twoTriangles();
+  mesh.points[3] = {4, -3};  // the mirror image: every measure is a tie
+  EXPECT_EQ(measure(mesh).aspectAt, 0);
+  EXPECT_EQ(measure(mesh).areaRatioAt, 0);
+  std::swap(mesh.ids[0], mesh.ids[1]);
+  const Quality q = measure(mesh);
+  for (const std::int32_t at : {q.aspectAt, q.edgeRatioAt, q.minAngleAt, q.maxAngleAt, q.minEdgeAt, q.areaRatioAt}) {
+    EXPECT_EQ(at, 1);
+  }
+  EXPECT_EQ(q.areaRatioOther, 0);
+}
+
+TEST(MeshQuality, LeavesOutDeadAndHelperTriangles) {
+  Mesh mesh = twoTriangles();
+  mesh.kinds[3] = VertexKind::helper;
+  EXPECT_EQ(measure(mesh).triangles, 1u);
+  EXPECT_EQ(measure(mesh).areaRatioAt, -1);
+  killTriangle(mesh, 1);
+  const Quality none = measure(mesh);
+  EXPECT_EQ(none.triangles, 0u);
+  EXPECT_EQ(none.aspectAt, -1);
+  EXPECT_EQ(none.vertices, 0u);
+}
+
+}  // namespace
+}  // namespace triscope
