@@ -40,6 +40,7 @@ constexpr std::array<StageInfo, kStageCount> kStages = {{
      "inserts circumcentres where R is not below a neighbour's shortest edge: area ratio", "", runSteps},
     {Stage::step5, "step 5", "step5",
      "inserts points over shared edges where the neighbour is too tall: area ratio below 3", "Figure 4 (e)", runSteps},
+    {Stage::repair, "repair", "repair", "mends the triangles that still break a bound, by the best of a few edits around each", "", runRepair},
     {Stage::refine, "step 6", "refine", "moves points: Laplacian filter, obtuse angles, shared edges", "Figure 4 (f)",
      runRefine},
     {Stage::finished, "finished", "finished", "the mesh is done", "Figure 4 (f)", nullptr},
@@ -54,15 +55,14 @@ void recordStage(MeshState& state, EventKind kind, std::uint64_t subject, Journa
   journal.record(event);
 }
 
-// Steps 2-5 come round again until a whole round inserts nothing.
-Stage after(MeshState& state) {
+// Steps 2-5 come round again until a whole round inserts nothing; what repair changes calls for another round.
+Stage after(const MeshState& state) {
   if (state.failed) return Stage::finished;
-  if (state.stage == Stage::step1) state.round = 0;
-  if (state.stage == Stage::step5 && state.roundChanges > 0 && state.round < state.settings.maxRounds)
-    return Stage::step2;
-  if (state.stage == Stage::step5) {
-    const Settings& s = state.settings;
-    state.round = 0;
+  const Settings& s = state.settings;
+  const bool again = state.round < s.maxRounds;
+  if (state.stage == Stage::step5 && state.roundChanges > 0 && again) return Stage::step2;
+  if (state.stage == Stage::repair) {
+    if (state.cursor.changes > 0 && again) return Stage::step2;
     return s.laplacian || s.reduceObtuse || s.sharedEdge ? Stage::refine : Stage::finished;
   }
   return static_cast<Stage>(static_cast<int>(state.stage) + 1);
@@ -75,6 +75,8 @@ void leaveStage(MeshState& state, Journal& journal) {
   if (state.stage == Stage::step2) {
     ++state.round;
     state.roundChanges = 0;
+  } else if (state.stage > Stage::repair) {
+    state.round = 0;
   }
 }
 
@@ -156,7 +158,7 @@ bool advance(MeshState& state, Grain grain, Journal& journal) {
 }
 
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal) {
-  const auto reached = [&] { return stage == Stage::step5 ? state.stage >= Stage::refine : state.stage > stage; };
+  const auto reached = [&] { return stage == Stage::step5 ? state.stage > Stage::repair : state.stage > stage; };
   for (; limit > 0 && !reached(); --limit) {
     if (beat(state, journal) == Beat::over) break;
   }

@@ -16,6 +16,7 @@ enum class Broken : std::uint8_t {
   boundary,     // a boundary edge is not an edge of the mesh, or a mesh border is no boundary edge
   vertex,       // vertexTriangle is wrong, or a vertex has no triangle
   duplicate,    // two vertices at the same place
+  domain,       // the mesh is not one of the domain it is held against
 };
 
 struct Violation {

@@ -199,7 +199,7 @@ Outcome placeNext(MeshState& state, Journal& journal, Rule rule, VertexKind kind
   const std::size_t k = cursor.index++;
   const Point p = cursor.points[k];
   const std::int32_t owner = cursor.worklist[k];
-  const Demand demand{kNearest * edgeLengthAt(state.tree, p), 0.0};
+  const Demand demand{std::max(kNearest * edgeLengthAt(state.tree, p), state.minEdge), 0.0};
   const Attempt attempt = place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand);
   if (attempt.vertex >= 0) {
     cursor.next[k] = attempt.vertex;

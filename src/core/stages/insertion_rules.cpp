@@ -3,12 +3,18 @@
 #include <algorithm>
 
 #include "core/geometry/circumcircle.h"
+#include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
 namespace {
 
 double squared(double x) { return x * x; }
+
+// "Not below" up to rounding: a tie (an angle of exactly 30°) must not be left on the wrong side of a strict bound.
+bool notBelow(double squaredMeasured, double squaredLimit) {
+  return squaredMeasured >= squaredLimit * (1.0 - kBoundMargin);
+}
 
 double squaredShortestEdge(const Mesh& mesh, std::int32_t slot) {
   const Triangle& t = triangleAt(mesh, slot);
@@ -27,7 +33,7 @@ bool atCentre(const Shape& shape, double squaredLimit, std::int32_t other, Propo
 // Step 1: R ≥ h at the circumcentre.
 bool step1(const MeshState& state, std::int32_t, const Shape& shape, Proposal& proposal) {
   const double limit = squared(edgeLengthAt(state.tree, shape.centre));
-  return shape.squaredRadius >= limit && atCentre(shape, limit, -1, proposal);
+  return notBelow(shape.squaredRadius, limit) && atCentre(shape, limit, -1, proposal);
 }
 
 // Step 2: R ≥ the least h over the three apexes.
@@ -36,12 +42,12 @@ bool step2(const MeshState& state, std::int32_t slot, const Shape& shape, Propos
   const std::vector<std::uint8_t>& rank = state.mesh.density;
   const int least = std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]});
   const double limit = squared(state.minEdge * rankLength(least));
-  return shape.squaredRadius >= limit && atCentre(shape, limit, -1, proposal);
+  return notBelow(shape.squaredRadius, limit) && atCentre(shape, limit, -1, proposal);
 }
 
 // Step 3: R ≥ e. Bounds the edge ratio, the angles and the aspect ratio (Theorem 1).
 bool step3(const MeshState&, std::int32_t, const Shape& shape, Proposal& proposal) {
-  return shape.squaredRadius >= shape.squaredShortest && atCentre(shape, shape.squaredShortest, -1, proposal);
+  return notBelow(shape.squaredRadius, shape.squaredShortest) && atCentre(shape, shape.squaredShortest, -1, proposal);
 }
 
 // Step 4: R ≥ e of an adjacent triangle.
@@ -49,7 +55,7 @@ bool step4(const MeshState& state, std::int32_t slot, const Shape& shape, Propos
   for (const std::int32_t across : triangleAt(state.mesh, slot).adj) {
     if (across < 0) continue;
     const double limit = squaredShortestEdge(state.mesh, triangleOf(across));
-    if (shape.squaredRadius >= limit) return atCentre(shape, limit, triangleOf(across), proposal);
+    if (notBelow(shape.squaredRadius, limit)) return atCentre(shape, limit, triangleOf(across), proposal);
   }
   return false;
 }
@@ -71,7 +77,7 @@ bool step5(const MeshState& state, std::int32_t slot, const Shape&, Proposal& pr
     const double height = cross(p2 - p1, p3 - p1) / edge;
     const double shortest = std::sqrt(std::min({squaredDistance(p1, p2), squaredDistance(p2, p3), edge * edge}));
     const double reach = distance(p5, p4);
-    if (reach < shortest + height) continue;
+    if (reach < (shortest + height) * (1.0 - kBoundMargin)) continue;
     proposal.at = p5 + (height / edge) * perpendicular(p3 - p1);
     proposal.measured = reach;
     proposal.limit = shortest + height;

@@ -1,4 +1,234 @@
+// Stage "refine": step 6, the local refinements (paper, section 4, Figure 3). Passes over the mesh move points by the
+// Laplacian filter, turn the sides of obtuse angles together, and move shared edges into the larger triangle; after
+// each move the triangulation is made Delaunay again. Boundary vertices stay.
+#include <algorithm>
+
+#include "core/geometry/trig.h"
+#include "core/mesh/badness.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/move.h"
 #include "core/stages/stage_runs.h"
+
 namespace triscope {
-Outcome runRefine(MeshState&, Journal&) { return Outcome::done; }
+namespace {
+
+enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
+
+constexpr double kLargeAreaRatio = 2.0;   // pairs beyond it get their shared edge moved
+constexpr double kSharedEdgeStep = 0.1;   // of the height h of the larger triangle
+constexpr std::uint8_t kSettled = 64;     // bit of Mesh::tested: looked at by a whole pass since it changed
+constexpr int kPatience = 3;              // passes without fewer obtuse triangles before the stage ends
+
+thread_local MoveLog moveLog;
+thread_local Star star;
+thread_local std::vector<std::int32_t> before;
+
+bool movable(const Mesh& mesh, std::int32_t vertex) {
+  return mesh.vertexEdge[at(vertex)] < 0 && mesh.vertexTriangle[at(vertex)] >= 0;
+}
+
+// Why the region after a move is worse than before; none when it is not (the acceptance rule of the stage).
+Refusal judge(const Badness& was, const Badness& is, double minEdge) {
+  if (is.broken > was.broken || is.excess > was.excess) return Refusal::bound_broken;
+  if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
+  if (is.obtuse > was.obtuse || (is.obtuse == was.obtuse && is.worst > was.worst)) return Refusal::star_worse;
+  return Refusal::none;
+}
+
+struct Trial {
+  Refusal refusal = Refusal::none;
+  double measured = 0.0;  // worst aspect ratio after, and before
+  double limit = 0.0;
+};
+
+// Moves the vertex when the region it changes is no worse for it.
+Trial tryMove(MeshState& state, std::int32_t vertex, Point to) {
+  Mesh& mesh = state.mesh;
+  starOf(mesh, vertex, star);
+  before.clear();
+  for (const std::int32_t rim : star.rim) before.push_back(triangleOf(rim));
+  Badness was = badnessOf(mesh, before);
+  if (!moveVertex(mesh, vertex, to, moveLog)) return {Refusal::inverts_triangle, 0.0, 0.0};
+  const Badness is = badnessOf(mesh, moveLog.slots);
+  const bool flipped = moveLog.flips > 0;
+  if (flipped) {  // the region has grown by the triangles flipped: look at all of it as it was
+    undoMove(mesh, moveLog);
+    was = badnessOf(mesh, moveLog.slots);
+  }
+  const Refusal refusal = judge(was, is, state.minEdge);
+  if (refusal == Refusal::none && flipped) moveVertex(mesh, vertex, to, moveLog);
+  if (refusal != Refusal::none && !flipped) undoMove(mesh, moveLog);
+  const bool byEdge = refusal == Refusal::edge_below_minimum;
+  return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? state.minEdge : was.worst};
+}
+
+Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t subject, std::int32_t vertex, Point to) {
+  const Point from = pointOf(state.mesh, vertex);
+  const std::uint32_t firstId = state.mesh.nextId;
+  const Trial trial = tryMove(state, vertex, to);
+  StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
+  const bool moved = trial.refusal == Refusal::none;
+  ++(moved ? counts.moved : counts.refused);
+  if (moved) ++state.cursor.changes;
+  if (journal.listening()) {
+    Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, rule);
+    event.refusal = trial.refusal;
+    event.subject = subject;
+    event.vertex = static_cast<std::uint32_t>(vertex);
+    event.at = to;
+    event.from = from;
+    event.measured = trial.measured;
+    event.limit = trial.limit;
+    if (state.mesh.nextId > firstId) {
+      event.created = firstId;
+      event.createdCount = state.mesh.nextId - firstId;
+    }
+    journal.record(event);
+  }
+  return Outcome::decided;
+}
+
+bool settled(const Mesh& mesh) {
+  return std::all_of(star.rim.begin(), star.rim.end(),
+                     [&](std::int32_t rim) { return (mesh.tested[at(triangleOf(rim))] & kSettled) != 0; });
+}
+
+// p0 + ω (Σ (pi - p0)) / n
+bool filtered(const Mesh& mesh, std::int32_t vertex, double omega, Point& to) {
+  if (!movable(mesh, vertex)) return false;
+  starOf(mesh, vertex, star);
+  if (!star.closed || settled(mesh)) return false;
+  const Point p = pointOf(mesh, vertex);
+  Point sum;
+  for (const std::int32_t rim : star.rim) sum = sum + (pointOf(mesh, startOf(mesh, rim)) - p);
+  to = p + (omega / static_cast<double>(star.rim.size())) * sum;
+  return true;
+}
+
+Point turned(Point p, Point about, trig::SinCos by) {
+  const Point d = p - about;
+  return about + Point{d.x * by.cos - d.y * by.sin, d.x * by.sin + d.y * by.cos};
+}
+
+// Corner with an angle above 90°, or -1.
+int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  for (int i = 0; i < 3; ++i) {
+    const Point p = pointOf(mesh, t.v[static_cast<std::size_t>(i)]);
+    const Point q = pointOf(mesh, t.v[static_cast<std::size_t>(next3(i))]);
+    const Point r = pointOf(mesh, t.v[static_cast<std::size_t>(prev3(i))]);
+    if (dot(q - p, r - p) < 0.0) return i;
+  }
+  return -1;
+}
+
+double twiceArea(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return cross(pointOf(mesh, t.v[1]) - pointOf(mesh, t.v[0]), pointOf(mesh, t.v[2]) - pointOf(mesh, t.v[0]));
+}
+
+// Edge of the triangle over which its neighbour is larger by the given factor, or -1.
+int largeNeighbour(const Mesh& mesh, std::int32_t slot) {
+  const double own = twiceArea(mesh, slot);
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t across = oppositeOf(mesh, 3 * slot + i);
+    if (across >= 0 && twiceArea(mesh, triangleOf(across)) > kLargeAreaRatio * own) return i;
+  }
+  return -1;
+}
+
+// The cursor counts half-steps: a triangle's two vertices are two decisions. index = 2·slot, + 1 for the second.
+Outcome runObtuse(MeshState& state, Journal& journal) {
+  Cursor& cursor = state.cursor;
+  Mesh& mesh = state.mesh;
+  for (; cursor.index < 2 * mesh.triangles.size(); ++cursor.index) {
+    const auto slot = static_cast<std::int32_t>(cursor.index / 2);
+    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0) continue;
+    const int corner = obtuseCorner(mesh, slot);
+    if (corner < 0) continue;
+    const bool second = cursor.index % 2 == 1;
+    const Triangle& t = triangleAt(mesh, slot);
+    const std::int32_t p2 = t.v[static_cast<std::size_t>(corner)];
+    const std::int32_t moved = t.v[static_cast<std::size_t>(second ? prev3(corner) : next3(corner))];
+    if (!movable(mesh, moved)) continue;
+    const double angle = state.settings.theta * trig::kDegree;
+    const Point to = turned(pointOf(mesh, moved), pointOf(mesh, p2), trig::sinCos(second ? -angle : angle));
+    ++cursor.index;
+    return decideMove(state, journal, Rule::reduce_obtuse, idOf(mesh, slot), moved, to);
+  }
+  return Outcome::done;
+}
+
+Outcome runSharedEdge(MeshState& state, Journal& journal) {
+  Cursor& cursor = state.cursor;
+  Mesh& mesh = state.mesh;
+  for (; cursor.index < 2 * mesh.triangles.size(); ++cursor.index) {
+    const auto slot = static_cast<std::int32_t>(cursor.index / 2);
+    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0) continue;
+    const int edge = largeNeighbour(mesh, slot);
+    if (edge < 0) continue;
+    const std::int32_t half = 3 * slot + edge;
+    const std::int32_t moved = cursor.index % 2 == 1 ? endOf(mesh, half) : startOf(mesh, half);
+    if (!movable(mesh, moved)) continue;
+    const Point along = pointOf(mesh, endOf(mesh, half)) - pointOf(mesh, startOf(mesh, half));
+    const double height = twiceArea(mesh, triangleOf(oppositeOf(mesh, half))) / length(along);
+    const Point into = (-kSharedEdgeStep * height / length(along)) * perpendicular(along);
+    ++cursor.index;
+    return decideMove(state, journal, Rule::shared_edge, idOf(mesh, slot), moved, pointOf(mesh, moved) + into);
+  }
+  return Outcome::done;
+}
+
+Outcome runLaplacian(MeshState& state, Journal& journal) {
+  Cursor& cursor = state.cursor;
+  while (cursor.index < state.mesh.points.size()) {
+    const auto vertex = static_cast<std::int32_t>(cursor.index++);
+    Point to;
+    if (!filtered(state.mesh, vertex, state.settings.omega, to)) continue;
+    return decideMove(state, journal, Rule::laplacian, kNoId, vertex, to);
+  }
+  return Outcome::done;
+}
+
+// Obtuse triangles left; marks every triangle as looked at by this pass, so that the next leaves it until it changes.
+std::int32_t settle(Mesh& mesh) {
+  std::int32_t count = 0;
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    if ((mesh.flags[slot] & kDead) != 0) continue;
+    mesh.tested[slot] |= kSettled;
+    if (obtuseCorner(mesh, static_cast<std::int32_t>(slot)) >= 0) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+Outcome runRefine(MeshState& state, Journal& journal) {
+  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since, changes at its start.
+  Cursor& cursor = state.cursor;
+  const Settings& settings = state.settings;
+  if (!cursor.begun) {
+    cursor.begun = true;
+    state.round = 1;
+    cursor.worklist = {settle(state.mesh), 0};
+    for (std::uint8_t& tested : state.mesh.tested) tested &= static_cast<std::uint8_t>(~kSettled);
+  }
+  for (;;) {
+    Outcome outcome = Outcome::done;
+    if (cursor.phase == laplacian && settings.laplacian) outcome = runLaplacian(state, journal);
+    if (cursor.phase == obtuse && settings.reduceObtuse) outcome = runObtuse(state, journal);
+    if (cursor.phase == shared_edge && settings.sharedEdge) outcome = runSharedEdge(state, journal);
+    if (cursor.phase == over) return Outcome::done;
+    if (outcome != Outcome::done) return outcome;
+    cursor.index = 0;
+    if (++cursor.phase != over) continue;
+    const std::int32_t left = settle(state.mesh);
+    cursor.worklist[1] = left < cursor.worklist[0] ? 0 : cursor.worklist[1] + 1;
+    cursor.worklist[0] = std::min(left, cursor.worklist[0]);
+    if (left == 0 || cursor.worklist[1] >= kPatience || state.round >= settings.refinePasses) return Outcome::done;
+    ++state.round;
+    cursor.phase = laplacian;
+  }
+}
+
 }  // namespace triscope

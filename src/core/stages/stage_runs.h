@@ -15,6 +15,7 @@ Outcome runCarve(MeshState& state, Journal& journal);
 Outcome runFront1(MeshState& state, Journal& journal);
 Outcome runFront2(MeshState& state, Journal& journal);
 Outcome runSteps(MeshState& state, Journal& journal);  // step 1 … 5, by state.stage
+Outcome runRepair(MeshState& state, Journal& journal);
 Outcome runRefine(MeshState& state, Journal& journal);
 
 /// An event that carries the stage and round of the state.

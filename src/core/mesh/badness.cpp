@@ -1,0 +1,93 @@
+#include "core/mesh/badness.h"
+
+#include <algorithm>
+
+#include "core/mesh/edit.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kAreaRatio = 3.0 * (1.0 - kBoundMargin);
+
+struct Measures {
+  double area = 0.0;      // twice
+  double shortest = 0.0;  // squared
+  double middle = 0.0;
+  double longest = 0.0;
+};
+
+Measures measuresOf(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  const Point a = pointOf(mesh, t.v[0]), b = pointOf(mesh, t.v[1]), c = pointOf(mesh, t.v[2]);
+  double l = squaredDistance(a, b), m = squaredDistance(b, c), n = squaredDistance(c, a);
+  if (l > m) std::swap(l, m);
+  if (m > n) std::swap(m, n);
+  if (l > m) std::swap(l, m);
+  return {cross(b - a, c - a), l, m, n};
+}
+
+// R²/e² with R = abc / (4 area): at least 1 when an angle is 30° or less. 1e300 for a triangle without area.
+double radiusOverEdge(const Measures& m) {
+  if (!(m.area > 0.0)) return 1e300;
+  return m.middle * m.longest / (4.0 * m.area * m.area);
+}
+
+double aspect(const Measures& m) {
+  if (!(m.area > 0.0)) return 1e300;
+  const double a = std::sqrt(m.shortest), b = std::sqrt(m.middle), c = std::sqrt(m.longest);
+  return a * b * c * (a + b + c) / (2.0 * m.area * m.area);
+}
+
+double areaRatio(double l, double r) {
+  const double small = std::min(l, r);
+  return small > 0.0 ? std::max(l, r) / small : 1e300;
+}
+
+double twiceArea(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  const Point a = pointOf(mesh, t.v[0]);
+  return cross(pointOf(mesh, t.v[1]) - a, pointOf(mesh, t.v[2]) - a);
+}
+
+}  // namespace
+
+bool isObtuse(Point a, Point b, Point c) {
+  return dot(b - a, c - a) < 0.0 || dot(a - b, c - b) < 0.0 || dot(a - c, b - c) < 0.0;
+}
+
+Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
+  Badness badness;
+  for (const std::int32_t slot : slots) {
+    const Measures m = measuresOf(mesh, slot);
+    badness.shortest = std::min(badness.shortest, m.shortest);
+    badness.worst = std::max(badness.worst, aspect(m));
+    if (m.longest > m.shortest + m.middle) ++badness.obtuse;
+    const double radius = radiusOverEdge(m);
+    if (radius >= 1.0 - kBoundMargin) {
+      ++badness.broken;
+      badness.excess += std::min(radius, 1e6);
+    }
+    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+      if (across < 0) continue;
+      const std::int32_t other = triangleOf(across);
+      const double ratio = areaRatio(m.area, twiceArea(mesh, other));
+      if (ratio < kAreaRatio) continue;
+      // A pair inside the region is seen from both sides: count it from the lower slot.
+      if (other < slot && std::find(slots.begin(), slots.end(), other) != slots.end()) continue;
+      ++badness.broken;
+      badness.excess += std::min(ratio / 3.0, 1e6);
+    }
+  }
+  return badness;
+}
+
+bool breaksBound(const Mesh& mesh, std::int32_t slot) {
+  const Measures m = measuresOf(mesh, slot);
+  if (radiusOverEdge(m) >= 1.0 - kBoundMargin) return true;
+  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+    if (across >= 0 && areaRatio(m.area, twiceArea(mesh, triangleOf(across))) >= kAreaRatio) return true;
+  }
+  return false;
+}
+
+}  // namespace triscope

@@ -1,0 +1,30 @@
+// How bad a region of the mesh is: what repair and the local refinements compare before and after.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace triscope {
+
+/// A bound counts as broken this much (relative) before it is, so that rounding cannot put a tie on the wrong side.
+inline constexpr double kBoundMargin = 1e-9;
+
+struct Badness {
+  int broken = 0;        // triangles with R ≥ e (an angle ≤ 30°), and pairs with an area ratio ≥ 3
+  int obtuse = 0;        // triangles with an angle above 90°
+  double excess = 0.0;   // sum over the broken of how far they are beyond the bound
+  double worst = 2.0;    // largest aspect ratio R/r
+  double shortest = 1e300;  // shortest edge, squared
+};
+
+/// Over the given live slots, and the pairs that at least one of them is in.
+Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots);
+
+/// True when the triangle breaks the bound on angles, or with a neighbour the bound on area ratio.
+bool breaksBound(const Mesh& mesh, std::int32_t slot);
+
+/// Exact enough: an angle above 90° by the squared lengths of the edges.
+bool isObtuse(Point a, Point b, Point c);
+
+}  // namespace triscope

@@ -1,0 +1,35 @@
+// Moving a vertex with the Delaunay property restored by flips, and taking it back.
+#pragma once
+
+#include "core/mesh/flip.h"
+
+namespace triscope {
+
+/// What a move changed, so that undoMove gives back the very same mesh, ids included.
+struct MoveLog {
+  struct Saved {
+    std::int32_t slot;
+    Triangle triangle;
+    std::uint32_t id;
+    std::uint8_t flags;
+    std::uint8_t tested;
+  };
+  struct SavedVertex {
+    std::int32_t vertex;
+    std::int32_t triangle;
+  };
+  std::int32_t vertex = -1;
+  Point from;
+  std::uint32_t nextId = 0;
+  std::vector<Saved> saved;             // in the order of change: undone backwards
+  std::vector<SavedVertex> vertices;
+  std::vector<std::int32_t> slots;      // of the star and of every triangle flipped: the same region before and after
+  std::uint32_t flips = 0;
+};
+
+/// Moves a vertex inside its closed star and flips until the region is Delaunay. Returns false, changing nothing, when
+/// the star is open, or a triangle would turn over (exact).
+bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log);
+void undoMove(Mesh& mesh, const MoveLog& log);
+
+}  // namespace triscope

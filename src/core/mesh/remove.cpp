@@ -1,0 +1,73 @@
+#include "core/mesh/remove.h"
+
+#include "core/geometry/predicates.h"
+#include "core/mesh/edit.h"
+
+namespace triscope {
+namespace {
+
+// Corner k of the rim polygon is an ear that no other corner's circle test forbids.
+bool delaunayEar(const Mesh& mesh, const std::vector<std::int32_t>& polygon, std::size_t k) {
+  const std::size_t n = polygon.size();
+  const std::size_t before = (k + n - 1) % n;
+  const std::size_t after = (k + 1) % n;
+  const Point a = pointOf(mesh, polygon[before]), b = pointOf(mesh, polygon[k]), c = pointOf(mesh, polygon[after]);
+  if (orient2d(a, b, c) <= 0) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i != before && i != k && i != after && incircle(a, b, c, pointOf(mesh, polygon[i])) > 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool removeVertex(Mesh& mesh, std::int32_t vertex) {
+  thread_local Star star;
+  thread_local std::vector<std::int32_t> polygon;  // corners counter-clockwise
+  thread_local std::vector<std::int32_t> outside;  // half-edge beyond the edge from corner k to corner k + 1
+  thread_local std::vector<std::uint8_t> walls;
+  if (mesh.vertexEdge[at(vertex)] >= 0) return false;
+  starOf(mesh, vertex, star);
+  if (!star.closed || star.rim.size() < 3) return false;
+  polygon.clear();
+  outside.clear();
+  walls.clear();
+  for (const std::int32_t rim : star.rim) {
+    polygon.push_back(startOf(mesh, rim));
+    outside.push_back(oppositeOf(mesh, rim));
+    walls.push_back(constrained(mesh, rim) ? 1 : 0);
+  }
+  for (const std::int32_t rim : star.rim) killTriangle(mesh, triangleOf(rim));
+  mesh.kinds[at(vertex)] = VertexKind::removed;
+  mesh.vertexTriangle[at(vertex)] = -1;
+  const auto hang = [&](std::int32_t half, std::size_t k) {
+    link(mesh, half, outside[k]);
+    if (outside[k] >= 0) mesh.tested[at(triangleOf(outside[k]))] = 0;
+    if (walls[k] != 0) setConstrained(mesh, half, true);
+  };
+  while (polygon.size() > 3) {
+    const std::size_t n = polygon.size();
+    std::size_t ear = 0;
+    while (ear < n && !delaunayEar(mesh, polygon, ear)) ++ear;
+    if (ear == n) ear = 0;  // cannot be: the star of a vertex always has a Delaunay ear
+    const std::size_t before = (ear + n - 1) % n;
+    const std::int32_t slot = addTriangle(mesh, polygon[before], polygon[ear], polygon[(ear + 1) % n]);
+    hang(3 * slot + 2, before);
+    hang(3 * slot, ear);
+    // The ear's third edge takes the place of the two it covers.
+    outside[before] = 3 * slot + 1;
+    walls[before] = 0;
+    const auto gone = static_cast<std::ptrdiff_t>(ear);
+    polygon.erase(polygon.begin() + gone);
+    outside.erase(outside.begin() + gone);
+    walls.erase(walls.begin() + gone);
+  }
+  const std::int32_t slot = addTriangle(mesh, polygon[0], polygon[1], polygon[2]);
+  hang(3 * slot + 2, 0);
+  hang(3 * slot, 1);
+  hang(3 * slot + 1, 2);
+  mesh.lastTriangle = slot;
+  return true;
+}
+
+}  // namespace triscope

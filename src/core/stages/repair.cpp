@@ -1,0 +1,220 @@
+// Stage "repair", our own: what steps 1-5 had to refuse near the boundary can leave a bound of section 3 broken. For
+// each such triangle a few edits around it are tried on a small copy of the mesh (a vertex moved, put in, taken out, a
+// boundary edge split), and the one that mends most is made. Another round of steps 2-5 follows.
+#include <algorithm>
+#include <array>
+
+#include "core/geometry/circumcircle.h"
+#include "core/geometry/trig.h"
+#include "core/mesh/badness.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/move.h"
+#include "core/mesh/patch.h"
+#include "core/mesh/remove.h"
+#include "core/stages/place.h"
+#include "core/stages/stage_runs.h"
+
+namespace triscope {
+namespace {
+
+constexpr int kPatchDepth = 7;
+constexpr std::uint8_t kTried = 32;  // bit of Mesh::tested: nothing helped, and nothing has changed since
+constexpr int kPasses = 8;  // over the triangles that break a bound, in one visit of the stage
+
+enum class Edit : std::uint8_t { none, move, insert, remove, split };
+
+struct Remedy {
+  Edit edit = Edit::none;
+  std::int32_t index = -1;  // vertex (move, remove) or boundary edge (split)
+  Point to;
+};
+
+// No edit makes an edge shorter than this: Δx, or where the input itself is finer, its finest edge nearby.
+double floorAround(const MeshState& state, const Badness& now) {
+  return std::min(state.minEdge, std::sqrt(now.shortest) * (1.0 - 1e-9));
+}
+
+Attempt apply(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor) {
+  thread_local MoveLog log;
+  Attempt attempt;
+  attempt.refusal = Refusal::inverts_triangle;
+  switch (remedy.edit) {
+    case Edit::move:
+      if (moveVertex(mesh, remedy.index, remedy.to, log)) attempt.refusal = Refusal::none;
+      return attempt;
+    case Edit::insert:
+      return place(mesh, state.tree, remedy.to, start, VertexKind::steiner, {floor, -0.5});
+    case Edit::remove:
+      attempt.firstId = mesh.nextId;
+      if (removeVertex(mesh, remedy.index)) attempt.refusal = Refusal::none;
+      attempt.createdCount = mesh.nextId - attempt.firstId;
+      return attempt;
+    case Edit::split:
+      return splitBoundary(mesh, *state.domain, state.tree, remedy.index, floor);
+    case Edit::none:
+      break;
+  }
+  return attempt;
+}
+
+Badness badnessOfAll(const Mesh& mesh) {
+  thread_local std::vector<std::int32_t> live;
+  live.clear();
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    if ((mesh.flags[slot] & kDead) == 0) live.push_back(static_cast<std::int32_t>(slot));
+  }
+  return badnessOf(mesh, live);
+}
+
+bool better(const Badness& l, const Badness& r) {
+  return l.broken < r.broken || (l.broken == r.broken && l.excess < r.excess * (1.0 - 1e-6));
+}
+
+void addMoves(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remedies) {
+  thread_local Star star;
+  starOf(patch, vertex, star);
+  if (!star.closed || patch.vertexEdge[at(vertex)] >= 0) return;
+  const Point p = pointOf(patch, vertex);
+  Point mean;
+  double reach = 0.0;
+  for (const std::int32_t rim : star.rim) {
+    const Point q = pointOf(patch, startOf(patch, rim));
+    mean = mean + q;
+    reach += distance(p, q);
+  }
+  const double n = static_cast<double>(star.rim.size());
+  reach /= n;
+  remedies.push_back({Edit::move, vertex, (1.0 / n) * mean});
+  for (const double radius : {0.06, 0.15, 0.3}) {
+    for (int k = 0; k < 8; ++k) {
+      const trig::SinCos turn = trig::sinCos(k * 45.0 * trig::kDegree);
+      remedies.push_back({Edit::move, vertex, p + (radius * reach) * Point{turn.cos, turn.sin}});
+    }
+  }
+}
+
+void addInsertions(const Mesh& patch, std::int32_t slot, std::vector<Remedy>& remedies) {
+  const Triangle& t = triangleAt(patch, slot);
+  const Point a = pointOf(patch, t.v[0]), b = pointOf(patch, t.v[1]), c = pointOf(patch, t.v[2]);
+  const Point middle = (1.0 / 3.0) * (a + b + c);
+  const Point centre = circumcentre(a, b, c);
+  remedies.push_back({Edit::insert, -1, middle});
+  for (const double part : {0.5, 0.75, 1.0}) remedies.push_back({Edit::insert, -1, middle + part * (centre - middle)});
+  for (int i = 0; i < 3; ++i) {
+    const Point m = midpoint(pointOf(patch, startOf(patch, 3 * slot + i)), pointOf(patch, endOf(patch, 3 * slot + i)));
+    if (oppositeOf(patch, 3 * slot + i) >= 0) remedies.push_back({Edit::insert, -1, m});
+  }
+}
+
+// Everything worth trying around the patch's triangle 0.
+void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies) {
+  remedies.clear();
+  thread_local std::vector<std::int32_t> near, slots;
+  near.assign(patch.triangles[0].v.begin(), patch.triangles[0].v.end());
+  slots.assign(1, 0);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    for (const std::int32_t across : triangleAt(patch, slots[k]).adj) {
+      if (across < 0) continue;
+      if (std::find(near.begin(), near.end(), apexOf(patch, across)) == near.end()) near.push_back(apexOf(patch, across));
+      if (k == 0) slots.push_back(triangleOf(across));
+    }
+  }
+  for (const std::int32_t vertex : near) addMoves(patch, vertex, remedies);
+  for (const std::int32_t slot : slots) addInsertions(patch, slot, remedies);
+  for (const std::int32_t vertex : near) {
+    if (patch.vertexEdge[at(vertex)] < 0) remedies.push_back({Edit::remove, vertex, pointOf(patch, vertex)});
+    for (std::int32_t e = patch.vertexEdge[at(vertex)]; e >= 0;) {
+      const BoundaryEdge& edge = patch.edges[at(e)];
+      remedies.push_back({Edit::split, e, midpoint(pointOf(patch, edge.v0), pointOf(patch, edge.v1))});
+      e = edge.v0 == vertex ? edge.next0 : edge.next1;
+    }
+  }
+}
+
+// The best remedy for the patch, in the mesh's own indices; none when nothing makes it better.
+Remedy bestRemedy(const MeshState& state, std::int32_t slot, double& floor) {
+  thread_local Patch patch;
+  thread_local Mesh trial;
+  thread_local std::vector<Remedy> remedies;
+  extractPatch(state.mesh, slot, kPatchDepth, patch);
+  Badness best = badnessOfAll(patch.mesh);
+  floor = floorAround(state, best);
+  Remedy chosen;
+  collectRemedies(patch.mesh, remedies);
+  for (const Remedy& remedy : remedies) {
+    trial = patch.mesh;
+    if (apply(trial, state, remedy, 0, floor).refusal != Refusal::none) continue;
+    const Badness after = badnessOfAll(trial);
+    if (after.shortest < floor * floor || !better(after, best)) continue;
+    best = after;
+    chosen = remedy;
+  }
+  if (chosen.edit == Edit::move || chosen.edit == Edit::remove) chosen.index = patch.vertices[at(chosen.index)];
+  if (chosen.edit == Edit::split) chosen.index = patch.edges[at(chosen.index)];
+  return chosen;
+}
+
+void record(const MeshState& state, Journal& journal, const Remedy& remedy, std::uint32_t subject, Point from,
+            const Attempt& attempt) {
+  if (!journal.listening()) return;
+  constexpr std::array<EventKind, 5> kinds = {EventKind::vertex_refused, EventKind::vertex_moved,
+                                              EventKind::vertex_inserted, EventKind::vertex_removed,
+                                              EventKind::edge_split};
+  Event event = eventIn(state, kinds[static_cast<std::size_t>(remedy.edit)], Rule::repair);
+  event.subject = subject;
+  event.at = remedy.to;
+  event.from = from;
+  describeAttempt(event, attempt);
+  if (remedy.edit == Edit::move || remedy.edit == Edit::remove) event.vertex = static_cast<std::uint32_t>(remedy.index);
+  if (remedy.edit == Edit::split) event.other = static_cast<std::uint32_t>(remedy.index);
+  event.created = attempt.firstId;
+  event.createdCount = attempt.createdCount;
+  journal.record(event);
+}
+
+void queueBroken(MeshState& state) {
+  for (std::size_t slot = state.mesh.triangles.size(); slot-- > 0;) {
+    const auto s = static_cast<std::int32_t>(slot);
+    if (state.mesh.alive(s) && (state.mesh.tested[slot] & kTried) == 0 && breaksBound(state.mesh, s)) state.cursor.worklist.push_back(s);
+  }
+}
+
+}  // namespace
+
+Outcome runRepair(MeshState& state, Journal& journal) {
+  // phase: passes begun; index: changes made in this pass.
+  Cursor& cursor = state.cursor;
+  Mesh& mesh = state.mesh;
+  cursor.begun = true;
+  for (;;) {
+    if (cursor.worklist.empty()) {
+      if (cursor.phase == kPasses || (cursor.phase > 0 && cursor.index == 0)) return Outcome::done;
+      ++cursor.phase;
+      cursor.index = 0;
+      queueBroken(state);
+      if (cursor.worklist.empty()) return Outcome::done;
+    }
+    const std::int32_t slot = cursor.worklist.back();
+    cursor.worklist.pop_back();
+    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kTried) != 0 || !breaksBound(mesh, slot)) continue;
+    double floor = 0.0;
+    const Remedy remedy = bestRemedy(state, slot, floor);
+    const std::uint32_t subject = idOf(mesh, slot);
+    const Point from = remedy.edit == Edit::move ? pointOf(mesh, remedy.index) : remedy.to;
+    const Attempt attempt = apply(mesh, state, remedy, slot, floor);
+    record(state, journal, remedy, subject, from, attempt);
+    StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
+    if (attempt.refusal != Refusal::none) {
+      mesh.tested[at(slot)] |= kTried;
+      ++counts.refused;
+      return Outcome::decided;
+    }
+    ++cursor.index;
+    if (remedy.edit == Edit::insert || remedy.edit == Edit::split) return Outcome::inserted;
+    ++(remedy.edit == Edit::move ? counts.moved : counts.removed);
+    ++cursor.changes;
+    return Outcome::decided;
+  }
+}
+
+}  // namespace triscope
