@@ -7,6 +7,7 @@
 
 #include "core/io/atomic_file.h"
 #include "core/pipeline.h"
+#include "render/boundary_points.h"
 #include "render/number.h"
 #include "render/raster.h"
 #include "render/svg.h"
@@ -82,14 +83,22 @@ std::string figureTitle(const MeshState& state, Stage stage) {
 }
 
 std::string figureCaption(const MeshState& state, Stage stage) {
+  const auto leaves = static_cast<std::uint64_t>(
+      std::count_if(state.tree.cells.begin(), state.tree.cells.end(), [](const Cell& c) { return c.child < 0; }));
   if (stage <= Stage::quadtree) {
-    return fmt::format("Δx = {}; {} constraints, {} cells.", compact(state.minEdge), grouped(state.constraints.size()),
-                       grouped(state.tree.cells.size()));
+    return fmt::format("Δx = {}; {} constraints, {}.", compact(state.minEdge), grouped(state.constraints.size()),
+                       leaves == 1 ? "one cell" : grouped(leaves) + " cells");
   }
-  if (stage == Stage::density || state.mesh.liveCount() == 0) {
-    return fmt::format("Δx = {}; {} boundary points; the table of density ranks estimates {} triangles.",
-                       compact(state.minEdge), grouped(state.boundary.size()),
-                       grouped(static_cast<std::uint64_t>(std::max(0.0, state.estimatedTriangles))));
+  if (stage == Stage::density) {
+    return state.estimatedTriangles > 0.0
+               ? fmt::format("Δx = {}; {} cells; the table of density ranks estimates {} triangles.",
+                             compact(state.minEdge), grouped(leaves),
+                             grouped(static_cast<std::uint64_t>(state.estimatedTriangles)))
+               : fmt::format("Δx = {}; {} cells.", compact(state.minEdge), grouped(leaves));
+  }
+  if (state.mesh.liveCount() == 0) {
+    return fmt::format("Δx = {}; {} boundary points.", compact(state.minEdge),
+                       grouped(distinctBoundaryPoints(state).size()));
   }
   const Quality q = measure(state.mesh);
   std::string text = fmt::format("Δx = {}; {} vertices, {} triangles", compact(state.minEdge), grouped(q.vertices),
@@ -118,9 +127,10 @@ Status writeFigure(const std::string& path, const MeshState& state, const ViewOp
   picture.caption = options.caption;
   picture.legend = options.legend;
   picture.scale = options.scale;
-  const PictureLayout layout = layoutWithin(options.width, options.height, scene, picture);
   const Box box = options.region.value_or(scene.bounds);
-  const double margin = options.region ? 0.0 : 8.0 * options.scale;
+  const double margin = options.region ? 0.0 : 4.0 * options.scale;
+  const double aspect = box.width() > 0.0 && box.height() > 0.0 ? box.width() / box.height() : 1.0;
+  const PictureLayout layout = layoutWithin(options.width, options.height, aspect, scene, picture);
   const Camera camera = fitted(box, layout.plot.width, layout.plot.height, margin);
   if (format == Format::svg) return save(path, svg(scene, camera, layout, picture));
   const Result<std::string> png = encodePng(rasterize(scene, camera, layout, picture));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "render/boundary_points.h"
 #include "render/number.h"
 #include "render/scene_parts.h"
 
@@ -113,7 +114,7 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
     std::size_t placed = 0;
     std::size_t split = 0;
     if (state.mesh.points.empty()) {
-      for (const BoundaryPoint& p : state.boundary) ++(p.kept ? kept : placed);
+      for (const std::size_t i : distinctBoundaryPoints(state)) ++(state.boundary[i].kept ? kept : placed);
     }
     for (const VertexKind kind : state.mesh.kinds) {
       if (kind == VertexKind::kept) ++kept;

@@ -130,7 +130,7 @@ const Theme& themeOf(ThemeKind kind) {
 Color rankColor(Scale scale, const Theme& theme, int rank, int lowest, int highest) {
   const double span = std::max(1, highest - lowest);
   const double t = std::clamp(static_cast<double>(rank - lowest) / span, 0.0, 1.0);
-  return scaleColor(scale, theme.dark ? 1.0 - t : t);
+  return mix(theme.background, scaleColor(scale, theme.dark ? 1.0 - t : t), theme.dark ? 0.8 : 0.72);
 }
 
 Color cellTypeColor(const Theme& theme, CellType type) {

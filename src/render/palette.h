@@ -58,7 +58,8 @@ struct Theme {
 
 const Theme& themeOf(ThemeKind kind);
 
-/// Fill of a quadtree cell by density rank: the densest rank stands out from the background in every theme.
+/// Fill of a quadtree cell by density rank: the densest rank stands out from the background in every theme, and the
+/// scale is softened toward the background so that lines and marks read on top of it.
 Color rankColor(Scale scale, const Theme& theme, int rank, int lowest, int highest);
 Color cellTypeColor(const Theme& theme, CellType type);
 /// Category colour of a stage, for the timeline.

@@ -247,14 +247,26 @@ bool overlap(const Rect& a, const Rect& b) {
 
 }  // namespace
 
-PictureLayout layoutWithin(double width, double height, const Scene& scene, const PictureOptions& options) {
+PictureLayout layoutWithin(double width, double height, double aspect, const Scene& scene,
+                           const PictureOptions& options) {
   const double s = options.scale;
   const Margins m = marginsOf(scene, options);
   std::vector<std::string> lines = brokenIntoLines(options.caption, width - 2.0 * kPadding * s, kCaptionSize * s);
-  const double plotWidth = std::max(16.0, width - kPadding * s - m.right);
+  double plotWidth = std::max(16.0, width - kPadding * s - m.right);
   const double below = kCaptionLine * s * static_cast<double>(lines.size());
-  const double plotHeight = std::max(16.0, height - m.top - m.bottom - below);
-  return assemble(m, plotWidth, plotHeight, options, std::move(lines));
+  double plotHeight = std::max(16.0, height - m.top - m.bottom - below);
+  const double allWidth = plotWidth;
+  if (aspect > 0.0) {
+    plotWidth = std::max(std::min(plotWidth, plotHeight * aspect), std::min(plotWidth, 240.0 * s));
+    plotHeight = std::max(std::min(plotHeight, plotWidth / aspect), std::min(plotHeight, 120.0 * s));
+  }
+  PictureLayout layout = assemble(m, plotWidth, plotHeight, options, std::move(lines));
+  const double spare = 0.5 * (allWidth - plotWidth);
+  layout.plot.x += spare;
+  layout.legend.x += spare;
+  layout.width = width;
+  layout.height = height;
+  return layout;
 }
 
 PictureLayout layoutAround(const Camera& camera, const Scene& scene, const PictureOptions& options) {
@@ -268,6 +280,14 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
   std::vector<PlacedLabel> placed;
   std::vector<Rect> taken;
   for (const Layer& layer : scene.layers) {
+    for (const Circle& circle : layer.circles) {
+      const Point centre = toPixel(camera, circle.centre);
+      const double half =
+          0.75 * std::max(circle.radius * camera.scale, static_cast<double>(circle.minimumRadius) * scale);
+      taken.push_back({centre.x - half, centre.y - half, 2.0 * half, 2.0 * half});
+    }
+  }
+  for (const Layer& layer : scene.layers) {
     for (const Label& label : layer.labels) {
       const Point anchor = toPixel(camera, label.at);
       if (misses(anchor, anchor, {0.0, 0.0, camera.width, camera.height})) continue;
@@ -276,17 +296,21 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
       const double dx = static_cast<double>(label.dx) * scale;
       const double dy = static_cast<double>(label.dy) * scale;
       const double start = label.anchor == Anchor::left ? 0.0 : label.anchor == Anchor::centre ? 0.5 * width : width;
-      // As asked; then mirrored about the anchor; then the same a line further out.
-      const double line = 1.3 * size;
+      // As asked; then mirrored about the anchor; then further out.
+      const double line = 1.5 * size;
       const double down = -dy + 0.7 * size;
-      const std::array<Point, 8> places{{{dx - start, dy},
-                                         {-dx - width, dy},
-                                         {dx - start, down},
-                                         {-dx - width, down},
-                                         {dx - start, dy - line},
-                                         {dx - start, down + line},
-                                         {-dx - width, dy - line},
-                                         {-dx - width, down + line}}};
+      const std::array<Point, 12> places{{{dx - start, dy},
+                                          {-dx - width, dy},
+                                          {dx - start, down},
+                                          {-dx - width, down},
+                                          {dx - start, dy - line},
+                                          {dx - start, down + line},
+                                          {-dx - width, dy - line},
+                                          {-dx - width, down + line},
+                                          {dx - start, dy - 2.0 * line},
+                                          {dx - start, down + 2.0 * line},
+                                          {-dx - width, dy - 2.0 * line},
+                                          {-dx - width, down + 2.0 * line}}};
       for (const Point& offset : places) {
         const Point at = anchor + offset;
         const Rect box{at.x - 2.0, at.y - size, width + 4.0, 1.3 * size};

@@ -25,8 +25,11 @@ struct PictureLayout {
   std::vector<std::string> captionLines;
 };
 
-/// The layout of a picture of this size: what is left for the plot once the rest has found its place.
-PictureLayout layoutWithin(double width, double height, const Scene& scene, const PictureOptions& options);
+/// The layout of a picture of this size: what is left for the plot once the rest has found its place. `aspect` is
+/// width / height of what will be shown: the plot is made no larger than it needs, and the whole is centred;
+/// 0: the plot takes all there is.
+PictureLayout layoutWithin(double width, double height, double aspect, const Scene& scene,
+                           const PictureOptions& options);
 /// The layout of a picture whose plot has the size of the camera.
 PictureLayout layoutAround(const Camera& camera, const Scene& scene, const PictureOptions& options);
 

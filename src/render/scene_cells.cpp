@@ -47,7 +47,7 @@ void buildCells(const SceneInput& in, Layer& layer) {
   const bool types = classified(tree);
   const RankRange range = rankRange(tree);
   // Under a triangulation the colours stay behind its edges.
-  const double strength = in.options.triangulation && !in.state.mesh.triangles.empty() ? 0.55 : 0.85;
+  const double strength = in.options.triangulation && !in.state.mesh.triangles.empty() ? 0.6 : 1.0;
   SquareBatch batch;
   batch.outline = {in.theme.cellLine, 0.8f, Dash::solid, true};
   batch.squares.reserve(tree.cells.size());

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/boundary_points.h"
 #include "render/scene_parts.h"
 
 namespace triscope::detail {
@@ -216,7 +217,8 @@ void buildPoints(const SceneInput& in, Layer& layer) {
     batch.spacing.push_back(spacing);
   };
   if (in.options.boundaryPoints && state.mesh.points.empty()) {
-    for (const BoundaryPoint& p : state.boundary) {
+    for (const size_t index : distinctBoundaryPoints(state)) {
+      const BoundaryPoint& p = state.boundary[index];
       add(p.kept ? kept : placed, p.at, static_cast<float>(edgeLengthAt(state.tree, p.at)));
     }
   }

@@ -14,9 +14,15 @@ namespace {
 
 using std::size_t;
 
-size_t at(std::int32_t i) { return static_cast<size_t>(i); }
-
 bool hasVertex(const Mesh& mesh, std::uint32_t vertex) { return vertex != kNoId && vertex < mesh.points.size(); }
+
+// Empty for a vertex that no triangle uses.
+Star liveStar(const Mesh& mesh, std::int32_t vertex) {
+  Star star;
+  const std::int32_t slot = mesh.vertexTriangle[at(vertex)];
+  if (slot >= 0 && mesh.alive(slot)) starOf(mesh, vertex, star);
+  return star;
+}
 
 MarkBatch oneMark(Point p, Shape shape, float size, Color fill, Color outline) {
   MarkBatch batch;
@@ -98,14 +104,15 @@ void addInsertion(const SceneInput& in, Layer& layer) {
     return;
   }
   const auto vertex = static_cast<std::int32_t>(event.vertex);
-  const Star star = starOf(mesh, vertex);
-  layer.triangles.push_back(patch(mesh, star.slots, in.theme.created, true));
-  std::vector<Point> rim;
-  for (const std::int32_t v : star.rim) rim.push_back(pointOf(mesh, v));
-  layer.lines.push_back(polyline(std::move(rim), true, {in.theme.created, 1.8f, Dash::solid, false}));
+  const Star star = liveStar(mesh, vertex);
+  const std::vector<std::int32_t> rim = rimVertices(mesh, star);
+  layer.triangles.push_back(patch(mesh, slotsOf(star), in.theme.created, true));
+  std::vector<Point> around;
+  for (const std::int32_t v : rim) around.push_back(pointOf(mesh, v));
+  layer.lines.push_back(polyline(std::move(around), true, {in.theme.created, 1.8f, Dash::solid, false}));
   LineBatch removed;
   removed.style = {in.theme.removed, 1.6f, Dash::dotted, false};
-  for (const auto& edge : edgesBefore(mesh, star)) {
+  for (const auto& edge : edgesBefore(mesh, rim)) {
     const auto first = static_cast<std::uint32_t>(removed.points.size());
     removed.points.push_back(pointOf(mesh, edge[0]));
     removed.points.push_back(pointOf(mesh, edge[1]));
@@ -155,12 +162,12 @@ void addMove(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Event& event = *in.current;
   if (!hasVertex(mesh, event.vertex)) return;
-  const Star star = starOf(mesh, static_cast<std::int32_t>(event.vertex));
-  layer.triangles.push_back(patch(mesh, star.slots, in.theme.created, true));
+  const Star star = liveStar(mesh, static_cast<std::int32_t>(event.vertex));
+  layer.triangles.push_back(patch(mesh, slotsOf(star), in.theme.created, true));
   LineBatch spokes;  // where the edges to the vertex were
   spokes.style = {in.theme.removed, 1.4f, Dash::dotted, false};
   spokes.points.push_back(event.from);
-  for (const std::int32_t v : star.rim) {
+  for (const std::int32_t v : rimVertices(mesh, star)) {
     spokes.segments.push_back({0, static_cast<std::uint32_t>(spokes.points.size())});
     spokes.points.push_back(pointOf(mesh, v));
   }
@@ -270,8 +277,8 @@ void buildSelection(const SceneInput& in, Layer& layer) {
       break;
     case Selection::Kind::vertex:
       if (s.index >= 0 && at(s.index) < mesh.points.size()) {
-        const Star star = starOf(mesh, s.index);
-        layer.triangles.push_back(patch(mesh, star.slots, faded(in.theme.selection, 0.22), false));
+        layer.triangles.push_back(
+            patch(mesh, slotsOf(liveStar(mesh, s.index)), faded(in.theme.selection, 0.22), false));
         layer.marks.push_back(oneMark(mesh.points[at(s.index)], Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
       }
       break;

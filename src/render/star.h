@@ -1,23 +1,20 @@
-// The triangles around a vertex, and what stood in their place before the vertex came.
+// What stood in the place of a vertex's triangles before the vertex came.
 #pragma once
 
+#include <array>
 #include <vector>
 
-#include "core/mesh/mesh.h"
+#include "core/mesh/edit.h"
 
 namespace triscope {
 
-/// The live triangles around a vertex, counter-clockwise. `rim` is the polygon around them; at a boundary vertex it
-/// is open and runs from the boundary neighbour on one side to the one on the other.
-struct Star {
-  std::vector<std::int32_t> slots;
-  std::vector<std::int32_t> rim;  // vertices
-  bool closed = false;
-};
-Star starOf(const Mesh& mesh, std::int32_t vertex);
+/// Slots of the triangles of a star, and the vertices of the polygon around it: counter-clockwise, and open at a
+/// boundary vertex, where the polygon runs from one boundary neighbour to the other.
+std::vector<std::int32_t> slotsOf(const Star& star);
+std::vector<std::int32_t> rimVertices(const Mesh& mesh, const Star& star);
 
 /// Edges (pairs of vertices) inside the rim of the Delaunay triangulation that the star's vertex was inserted into:
 /// Bowyer and Watson's insertion removes exactly these. Unique unless four rim vertices lie on one circle.
-std::vector<std::array<std::int32_t, 2>> edgesBefore(const Mesh& mesh, const Star& star);
+std::vector<std::array<std::int32_t, 2>> edgesBefore(const Mesh& mesh, const std::vector<std::int32_t>& rim);
 
 }  // namespace triscope
