@@ -16,7 +16,9 @@ enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
 
 constexpr double kLargeAreaRatio = 2.0;   // pairs beyond it get their shared edge moved
 constexpr double kSharedEdgeStep = 0.1;   // of the height h of the larger triangle
-constexpr std::uint8_t kSettled = 64;     // bit of Mesh::tested: looked at by a whole pass since it changed
+// Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
+constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
+constexpr std::uint8_t kUnchanged = 128;  // since this pass began
 constexpr int kPatience = 3;              // passes without fewer obtuse triangles before the stage ends
 
 thread_local MoveLog moveLog;
@@ -190,12 +192,14 @@ Outcome runLaplacian(MeshState& state, Journal& journal) {
   return Outcome::done;
 }
 
-// Obtuse triangles left; marks every triangle as looked at by this pass, so that the next leaves it until it changes.
+// Between passes: what the pass left unchanged is settled. Returns the number of obtuse triangles.
 std::int32_t settle(Mesh& mesh) {
   std::int32_t count = 0;
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
     if ((mesh.flags[slot] & kDead) != 0) continue;
-    mesh.tested[slot] |= kSettled;
+    std::uint8_t& tested = mesh.tested[slot];
+    if ((tested & kUnchanged) != 0) tested |= kSettled;
+    tested |= kUnchanged;
     if (obtuseCorner(mesh, static_cast<std::int32_t>(slot)) >= 0) ++count;
   }
   return count;
@@ -204,14 +208,13 @@ std::int32_t settle(Mesh& mesh) {
 }  // namespace
 
 Outcome runRefine(MeshState& state, Journal& journal) {
-  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since, changes at its start.
+  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since.
   Cursor& cursor = state.cursor;
   const Settings& settings = state.settings;
   if (!cursor.begun) {
     cursor.begun = true;
     state.round = 1;
     cursor.worklist = {settle(state.mesh), 0};
-    for (std::uint8_t& tested : state.mesh.tested) tested &= static_cast<std::uint8_t>(~kSettled);
   }
   for (;;) {
     Outcome outcome = Outcome::done;
