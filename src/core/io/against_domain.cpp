@@ -1,0 +1,188 @@
+#include "core/io/against_domain.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+#include "core/geometry/expansion.h"
+#include "core/mesh/edit.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kTolerance = 1e-12;  // of the domain's size, or of its area
+
+/// A sum of doubles with twice their precision.
+class LongSum {
+ public:
+  void add(double value) {
+    const exact::Pair sum = exact::twoSum(high_, value);
+    high_ = sum.high;
+    low_ += sum.low;
+  }
+  void addProduct(double a, double b) {
+    const exact::Pair product = exact::twoProduct(a, b);
+    add(product.high);
+    low_ += product.low;
+  }
+  [[nodiscard]] double value() const { return high_ + low_; }
+
+ private:
+  double high_ = 0.0;
+  double low_ = 0.0;
+};
+
+/// Twice the signed area of a closed polygon adds up from its edges.
+void addEdge(LongSum& sum, Point a, Point b) {
+  sum.addProduct(a.x, b.y);
+  sum.addProduct(-b.x, a.y);
+}
+
+class DomainCheck {
+ public:
+  DomainCheck(const Mesh& mesh, const Domain& domain, std::size_t limit) : mesh_(mesh), domain_(domain), limit_(limit) {
+    const double size = std::max(domain.bounds.width(), domain.bounds.height());
+    const Box& box = domain.bounds;
+    const double reach = std::max({std::fabs(box.lo.x), std::fabs(box.lo.y), std::fabs(box.hi.x), std::fabs(box.hi.y)});
+    // Far from the origin a point on a line is rounded by more than its share of the domain's size.
+    tolerance_ = std::max(kTolerance * size, 4.0 * 0x1p-52 * reach);
+    onBoundary_.assign(mesh.points.size(), 0);
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+      if (mesh.vertexTriangle[v] >= 0) byPlace_.push_back(static_cast<std::int32_t>(v));
+    }
+    std::sort(byPlace_.begin(), byPlace_.end(), [&](std::int32_t a, std::int32_t b) { return place(a) < place(b); });
+  }
+
+  std::vector<Violation> run() {
+    const bool polygonal =
+        std::ranges::all_of(domain_.curves, [](const Curve& c) { return c.kind == CurveKind::line; });
+    for (const Loop& loop : domain_.loops) {
+      for (std::uint32_t c = 0; c < loop.curveCount; ++c) checkCurve(loop, c);
+    }
+    if (polygonal) {
+      checkBorders();
+      checkArea();
+    }
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] std::tuple<double, double> place(std::int32_t v) const {
+    const Point p = pointOf(mesh_, v);
+    return {p.x + 0.0, p.y + 0.0};
+  }
+  void add(Point at, std::int32_t vertex, std::string message) {
+    if (found_.size() < limit_) found_.push_back({Broken::domain, -1, vertex, at, std::move(message)});
+  }
+
+  [[nodiscard]] std::int32_t vertexAt(Point p) const {
+    const std::tuple<double, double> wanted{p.x + 0.0, p.y + 0.0};
+    const auto found = std::lower_bound(byPlace_.begin(), byPlace_.end(), wanted,
+                                        [&](std::int32_t v, const auto& key) { return place(v) < key; });
+    return found != byPlace_.end() && place(*found) == wanted ? *found : -1;
+  }
+
+  void checkCurve(const Loop& loop, std::uint32_t index) {
+    const Curve& curve = domain_.curves[loop.firstCurve + index];
+    const std::int32_t first = vertexAt(curve.a), last = vertexAt(curve.b);
+    if (first < 0) {
+      add(curve.a, -1,
+          fmt::format("loop '{}', point {}: ({}, {}) is no vertex of the mesh", loop.name, index, curve.a.x,
+                      curve.a.y));
+    }
+    // The end of a chain starts no other curve.
+    if (last < 0 && loop.role == LoopRole::chain && index + 1 == loop.curveCount) {
+      add(curve.b, -1,
+          fmt::format("loop '{}', point {}: ({}, {}) is no vertex of the mesh", loop.name, index + 1, curve.b.x,
+                      curve.b.y));
+    }
+    if (first < 0 || last < 0 || curve.kind != CurveKind::line) return;
+    for (std::int32_t v = first; v != last;) {
+      onBoundary_[at(v)] = 1;
+      const std::int32_t next = nextAlong(curve, v, last);
+      if (next < 0) {
+        add(pointOf(mesh_, v), v,
+            fmt::format("loop '{}', after point {}: no edge of the mesh follows the boundary from vertex {}", loop.name,
+                        index, v));
+        return;
+      }
+      v = next;
+    }
+    onBoundary_[at(last)] = 1;
+  }
+
+  /// The neighbour of v that lies on the straight curve and is next toward its end, -1 when there is none.
+  std::int32_t nextAlong(const Curve& curve, std::int32_t v, std::int32_t last) {
+    const Point along = curve.b - curve.a;
+    const double span = length(along);
+    const double here = dot(pointOf(mesh_, v) - curve.a, along);
+    double nearest = dot(along, along) * (1.0 + kTolerance);
+    std::int32_t best = -1;
+    starOf(mesh_, v, star_);
+    for (const std::int32_t half : star_.rim) {
+      for (const std::int32_t other : {startOf(mesh_, half), endOf(mesh_, half)}) {
+        if (other == last && findsEnd(curve, v)) return last;
+        const Point offset = pointOf(mesh_, other) - curve.a;
+        const double there = dot(offset, along);
+        if (there <= here || there > nearest || std::fabs(cross(along, offset)) > tolerance_ * span) continue;
+        nearest = there;
+        best = other;
+      }
+    }
+    return best;
+  }
+  /// The end of the curve itself counts whatever rounding says, unless v lies past it.
+  [[nodiscard]] bool findsEnd(const Curve& curve, std::int32_t v) const {
+    return dot(curve.b - pointOf(mesh_, v), curve.b - curve.a) > 0.0;
+  }
+
+  void checkBorders() {
+    for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh_.triangles.size()); ++half) {
+      if (!mesh_.alive(triangleOf(half)) || oppositeOf(mesh_, half) >= 0) continue;
+      const std::int32_t v = startOf(mesh_, half);
+      if (onBoundary_[at(v)] != 0) continue;
+      add(pointOf(mesh_, v), v, fmt::format("vertex {}: the mesh ends here, but not at the domain's boundary", v));
+    }
+  }
+
+  void checkArea() {
+    LongSum polygon, triangles;
+    for (const Loop& loop : domain_.loops) {
+      if (loop.role == LoopRole::chain) continue;
+      for (std::uint32_t c = 0; c < loop.curveCount; ++c) {
+        const Curve& curve = domain_.curves[loop.firstCurve + c];
+        addEdge(polygon, curve.a, curve.b);
+      }
+    }
+    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh_.triangles.size()); ++slot) {
+      if (!mesh_.alive(slot)) continue;
+      for (int i = 0; i < 3; ++i)
+        addEdge(triangles, pointOf(mesh_, startOf(mesh_, 3 * slot + i)), pointOf(mesh_, endOf(mesh_, 3 * slot + i)));
+    }
+    const double wanted = 0.5 * polygon.value(), found = 0.5 * triangles.value();
+    if (!(std::fabs(found - wanted) <= kTolerance * wanted)) {
+      add(domain_.bounds.lo, -1,
+          fmt::format("the mesh has the area {}, the domain {}: {:.1e} apart, relative to it", found, wanted,
+                      std::fabs(found - wanted) / wanted));
+    }
+  }
+
+  const Mesh& mesh_;
+  const Domain& domain_;
+  std::size_t limit_;
+  double tolerance_ = 0.0;
+  std::vector<std::int32_t> byPlace_;  // vertices in use, by x then y
+  std::vector<char> onBoundary_;       // per vertex: met on a straight piece
+  Star star_;
+  std::vector<Violation> found_;
+};
+
+}  // namespace
+
+std::vector<Violation> checkAgainstDomain(const Mesh& mesh, const Domain& domain, std::size_t limit) {
+  return DomainCheck(mesh, domain, limit).run();
+}
+
+}  // namespace triscope

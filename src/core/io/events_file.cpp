@@ -1,0 +1,127 @@
+#include "core/io/events_file.h"
+
+#include <array>
+#include <iterator>
+#include <utility>
+
+#include "core/io/json_text.h"
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+/// What `subject` and `created` are ids of, by EventKind in order; empty: the kind has no such number.
+struct Keys {
+  std::string_view subject;
+  std::string_view created;
+};
+constexpr std::array kKeys = std::to_array<Keys>({
+    {"", ""},                             // stage_begun: the round, which every event has
+    {"constraint", ""},                   // constraint_found
+    {"cell", "first_cell"},               // cell_split
+    {"cell", ""},                         // cell_ranked
+    {"curve", ""},                        // boundary_point
+    {"triangle", "first_triangle"},       // vertex_inserted
+    {"triangle", ""},                     // vertex_refused
+    {"boundary_edge", "first_triangle"},  // edge_split
+    {"triangle", "first_triangle"},       // vertex_removed
+    {"triangle", ""},                     // triangle_removed
+    {"triangle", "first_triangle"},       // edge_flipped
+    {"triangle", "first_triangle"},       // vertex_moved
+    {"triangle", ""},                     // vertex_kept
+    {"changes", ""},                      // stage_finished
+    {"subject", ""},                      // failure
+});
+static_assert(kKeys.size() == static_cast<std::size_t>(EventKind::failure) + 1);
+
+/// What `other` is an id of.
+std::string_view otherKey(const Event& event) {
+  switch (event.kind) {
+    case EventKind::constraint_found:
+      return "curve";
+    case EventKind::cell_ranked:
+      return event.rule == Rule::advancing_front ? "from_cell" : "constraint";
+    case EventKind::boundary_point:
+      return "boundary_point";
+    case EventKind::edge_flipped:
+      return "other_triangle";
+    case EventKind::vertex_inserted:
+    case EventKind::vertex_refused:
+      if (event.rule == Rule::initial) return "curve";
+      if (event.rule == Rule::first_front || event.rule == Rule::second_front) return "from_vertex";
+      return "other_triangle";
+    default:
+      return "other";
+  }
+}
+
+class Line {
+ public:
+  explicit Line(std::uint64_t number) : text_(fmt::format("{{\"event\": {}", number)) {}
+  void number(std::string_view key, std::uint64_t value) { member(key, fmt::format("{}", value)); }
+  void id(std::string_view key, std::uint32_t value) {
+    if (!key.empty() && value != kNoId) number(key, value);
+  }
+  void real(std::string_view key, double value) { member(key, jsonNumber(value)); }
+  void word(std::string_view key, std::string_view value) { member(key, jsonText(value)); }
+  void point(std::string_view key, Point p) { member(key, fmt::format("[{}, {}]", jsonNumber(p.x), jsonNumber(p.y))); }
+  std::string finish() { return std::move(text_) + "}"; }
+
+ private:
+  void member(std::string_view key, std::string_view value) {
+    fmt::format_to(std::back_inserter(text_), ", \"{}\": {}", key, value);
+  }
+  std::string text_;
+};
+
+}  // namespace
+
+std::string eventLine(const Event& event, std::uint64_t number) {
+  const bool ofStage = event.kind == EventKind::stage_begun || event.kind == EventKind::stage_finished;
+  const Keys& keys = kKeys[static_cast<std::size_t>(event.kind)];
+  Line line(number);
+  line.word("kind", name(event.kind));
+  line.word("stage", infoOf(event.stage).key);
+  if (event.round > 0) line.number("round", event.round);
+  if (event.rule != Rule::none) line.word("rule", name(event.rule));
+  if (event.refusal != Refusal::none) line.word("refusal", name(event.refusal));
+  line.id(keys.subject, event.subject);
+  line.id(otherKey(event), event.other);
+  line.id("vertex", event.vertex);
+  line.id(keys.created, event.created);
+  if (event.createdCount > 0) line.number("created", event.createdCount);
+  if (event.removedCount > 0) line.number("removed", event.removedCount);
+  if (!ofStage && (event.measured != 0.0 || event.limit != 0.0)) {
+    line.real("measured", event.measured);
+    line.real("limit", event.limit);
+  }
+  if (event.kind == EventKind::vertex_moved) line.point("from", event.from);
+  if (!ofStage) line.point("at", event.at);
+  return line.finish();
+}
+
+Result<EventsFile> EventsFile::create(const std::string& path) {
+  auto file = AtomicFile::create(path);
+  if (!file) return file.error();
+  return EventsFile(std::move(*file));
+}
+
+Status EventsFile::append(std::span<const Event> events) {
+  constexpr std::size_t kBlock = 1u << 16;
+  for (const Event& event : events) {
+    buffer_ += eventLine(event, count_++);
+    buffer_ += '\n';
+    if (buffer_.size() < kBlock) continue;
+    const Status written = file_.write(buffer_);
+    buffer_.clear();
+    if (!written) return written;
+  }
+  return success();
+}
+
+Status EventsFile::finish() {
+  const Status written = file_.write(std::exchange(buffer_, {}));
+  return written ? file_.commit() : written;
+}
+
+}  // namespace triscope

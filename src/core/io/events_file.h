@@ -1,0 +1,34 @@
+// Events as JSON lines: one object a line, names instead of numbers. Written as they come, so that a run of any
+// length needs no memory for them; the file appears when it is complete.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/event.h"
+#include "core/io/atomic_file.h"
+#include "core/result.h"
+
+namespace triscope {
+
+/// One event without the line end. `number` counts from 0. Absent members are left out; what a number means is said
+/// by its key, which depends on the kind of event ("triangle", "cell", "vertex", …).
+std::string eventLine(const Event& event, std::uint64_t number);
+
+class EventsFile {
+ public:
+  static Result<EventsFile> create(const std::string& path);
+  Status append(std::span<const Event> events);
+  /// The file is complete and takes its place. Without this it vanishes.
+  Status finish();
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  explicit EventsFile(AtomicFile file) : file_(std::move(file)) {}
+
+  AtomicFile file_;
+  std::uint64_t count_ = 0;
+  std::string buffer_;
+};
+
+}  // namespace triscope

@@ -1,0 +1,108 @@
+#include "core/io/export.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "core/mesh/edit.h"
+#include "core/quality/quality.h"
+
+namespace triscope {
+namespace {
+
+bool ofTheBox(const Mesh& mesh, const Triangle& triangle) {
+  return std::ranges::any_of(triangle.v, [&](std::int32_t v) { return mesh.kinds[at(v)] == VertexKind::helper; });
+}
+
+/// A point inside the closed polygon that the edges of one group form: the middle of the widest inside stretch of
+/// a horizontal line that passes no vertex.
+std::optional<Point> insideOf(const MeshFile& file, int group) {
+  std::vector<double> levels;
+  for (const MeshFile::Edge& edge : file.edges) {
+    if (edge.group == group) levels.push_back(file.points[at(edge.a)].y);
+  }
+  std::sort(levels.begin(), levels.end());
+  double widestGap = 0.0;
+  double level = 0.0;
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    if (levels[i] - levels[i - 1] > widestGap) {
+      widestGap = levels[i] - levels[i - 1];
+      level = levels[i - 1] + 0.5 * widestGap;
+    }
+  }
+  std::vector<double> crossings;
+  for (const MeshFile::Edge& edge : file.edges) {
+    const Point a = file.points[at(edge.a)], b = file.points[at(edge.b)];
+    if (edge.group != group || (a.y > level) == (b.y > level)) continue;
+    crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::optional<Point> inside;
+  double widest = 0.0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (crossings[i + 1] - crossings[i] > widest) {
+      widest = crossings[i + 1] - crossings[i];
+      inside = Point{crossings[i] + 0.5 * widest, level};
+    }
+  }
+  return inside;
+}
+
+void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFile& file) {
+  const Domain& domain = *state.domain;
+  std::vector<int> groupOfCurve(domain.curves.size(), 0);
+  for (std::size_t loop = 0; loop < domain.loops.size(); ++loop) {
+    const Loop& l = domain.loops[loop];
+    file.groups.push_back(l.name);
+    for (std::uint32_t c = 0; c < l.curveCount; ++c) groupOfCurve[l.firstCurve + c] = static_cast<int>(loop);
+  }
+  std::vector<BoundaryEdge> edges;
+  for (const BoundaryEdge& edge : state.mesh.edges) {
+    if (number[at(edge.v0)] >= 0 && number[at(edge.v1)] >= 0) edges.push_back(edge);
+  }
+  std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& x, const BoundaryEdge& y) {
+    return std::tie(x.curve, x.t0, x.v0, x.v1) < std::tie(y.curve, y.t0, y.v0, y.v1);
+  });
+  for (const BoundaryEdge& edge : edges) {
+    file.edges.push_back({number[at(edge.v0)], number[at(edge.v1)], groupOfCurve[edge.curve]});
+  }
+  for (std::size_t loop = 0; loop < domain.loops.size(); ++loop) {
+    if (domain.loops[loop].role != LoopRole::hole) continue;
+    if (const auto inside = insideOf(file, static_cast<int>(loop))) file.holes.push_back(*inside);
+  }
+}
+
+}  // namespace
+
+MeshFile exportMesh(const MeshState& state) {
+  const Mesh& mesh = state.mesh;
+  MeshFile file;
+
+  std::vector<std::int32_t> order;
+  std::vector<int> number(mesh.points.size(), -1);
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    const auto index = static_cast<std::int32_t>(slot);
+    if (!mesh.alive(index) || ofTheBox(mesh, mesh.triangles[slot])) continue;
+    order.push_back(index);
+    for (const std::int32_t v : mesh.triangles[slot].v) number[at(v)] = 0;
+  }
+  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return idOf(mesh, a) < idOf(mesh, b); });
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<int>(file.points.size());
+    file.points.push_back(mesh.points[v]);
+  }
+
+  file.fields = {{"id", {}}, {"aspect", {}}, {"edge_ratio", {}}, {"min_angle", {}}, {"max_angle", {}}};
+  for (const std::int32_t slot : order) {
+    const auto& v = triangleAt(mesh, slot).v;
+    file.triangles.push_back({number[at(v[0])], number[at(v[1])], number[at(v[2])]});
+    const TriangleQuality q = qualityOf(pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2]));
+    const double values[] = {static_cast<double>(idOf(mesh, slot)), q.aspect, q.edgeRatio, q.minAngle, q.maxAngle};
+    for (std::size_t i = 0; i < file.fields.size(); ++i) file.fields[i].values.push_back(values[i]);
+  }
+  if (state.domain != nullptr) exportEdges(state, number, file);
+  return file;
+}
+
+}  // namespace triscope

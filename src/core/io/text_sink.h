@@ -1,0 +1,49 @@
+// Where writers put their text: collected in memory, handed on in blocks, so that a large mesh needs no large buffer.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <optional>
+
+#include "core/io/atomic_file.h"
+#include "core/result.h"
+
+namespace triscope {
+
+class TextSink {
+ public:
+  TextSink(AtomicFile& file, bool (*cancelled)()) : file_(file), cancelled_(cancelled) {}
+
+  template <class... Args>
+  void print(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
+    if (buffer_.size() >= kBlock) flush();
+  }
+  /// Hands on what is left. The first thing that went wrong, if anything did.
+  Status finish() {
+    flush();
+    return failure_ ? Status(*failure_) : success();
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 1u << 16;
+
+  void flush() {
+    if (!failure_ && cancelled_ != nullptr && cancelled_()) {
+      failure_ =
+          Error{.code = ExitCode::cancelled, .message = "writing was cancelled", .hint = {}, .file = {}, .loop = {}};
+    }
+    if (!failure_) {
+      if (Status written = file_.write({buffer_.data(), buffer_.size()}); !written) failure_ = written.error();
+    }
+    buffer_.clear();
+  }
+
+  AtomicFile& file_;
+  bool (*cancelled_)();
+  fmt::memory_buffer buffer_;
+  std::optional<Error> failure_;
+};
+
+}  // namespace triscope
