@@ -41,9 +41,10 @@ void shortEdge(Search& search, std::uint32_t index) {
   const Curve& curve = search.domain.curves[index];
   if (curve.kind != CurveKind::line) return;
   const double wish = distance(curve.a, curve.b);
-  search.ask(curve.a, wish, Rule::short_edge, index);
-  search.ask(midpoint(curve.a, curve.b), wish, Rule::short_edge, index);
-  search.ask(curve.b, wish, Rule::short_edge, index);
+  // Not raised to Δx: the edge is kept however short it is.
+  for (const Point at : {curve.a, midpoint(curve.a, curve.b), curve.b}) {
+    search.found.push_back({at, wish, Rule::short_edge, index});
+  }
 }
 
 // Length asked for at a corner: Δx where a curved piece ends, a quarter of the shorter edge between straight ones.
@@ -147,6 +148,14 @@ void requests(Search& search) {
   }
 }
 
+double shortestLine(const Domain& domain) {
+  double shortest = 1e300;
+  for (const Curve& curve : domain.curves) {
+    if (curve.kind == CurveKind::line) shortest = std::min(shortest, distance(curve.a, curve.b));
+  }
+  return shortest;
+}
+
 double extentOf(const Domain& domain) { return std::max(domain.bounds.width(), domain.bounds.height()); }
 
 void geometry(Search& search) {
@@ -166,12 +175,22 @@ std::vector<Constraint> findConstraints(const Domain& domain, const Settings& se
   return std::move(search.found);
 }
 
+double finestLength(const Domain& domain, double minEdge) {
+  const double shortest = shortestLine(domain);
+  double finest = minEdge;
+  while (0.75 * finest > shortest) finest *= 0.5;
+  return finest;
+}
+
 double deriveMinEdge(const Domain& domain, const Settings& settings) {
   const double extent = extentOf(domain);
   Search search{domain, settings, 1e-7 * extent, extent, {}};
   geometry(search);
   double finest = extent / 40.0;
   for (const Constraint& constraint : search.found) finest = std::min(finest, constraint.length);
+  // The shortest kept edge takes a whole number of edges of that length.
+  const double shortest = shortestLine(domain);
+  if (shortest < 8.0 * finest) finest = shortest / std::max(1.0, std::ceil(shortest / finest - 1e-9));
   return finest;
 }
 

@@ -10,8 +10,13 @@
 
 namespace triscope {
 
-/// Every constraint of the domain, source by source and curve by curve. Lengths are at least minEdge.
+/// Every constraint of the domain, source by source and curve by curve. Lengths are at least minEdge,
+/// but for short_edge.
 std::vector<Constraint> findConstraints(const Domain& domain, const Settings& settings, double minEdge);
+
+/// Edge length of density rank 1: Δx, or where kept input edges are shorter than that, Δx halved until it is no
+/// more than a third above the shortest of them (the density cannot forbid what the input fixes).
+double finestLength(const Domain& domain, double minEdge);
 
 /// Δx for a domain that gives none: the finest length that its curvature, gaps or input edges ask for, and at most
 /// 1/40 of its extent.

@@ -9,7 +9,7 @@ Outcome runConstraints(MeshState& state, Journal& journal) {
   if (!cursor.begun) {
     cursor.begun = true;
     state.constraints = findConstraints(*state.domain, state.settings, state.minEdge);
-    state.tree = rootOver(state.domain->bounds, state.minEdge);
+    state.tree = rootOver(state.domain->bounds, finestLength(*state.domain, state.minEdge));
   }
   if (cursor.index == state.constraints.size()) return Outcome::done;
   if (journal.listening()) {

@@ -41,7 +41,7 @@ bool step2(const MeshState& state, std::int32_t slot, const Shape& shape, Propos
   const Triangle& t = triangleAt(state.mesh, slot);
   const std::vector<std::uint8_t>& rank = state.mesh.density;
   const int least = std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]});
-  const double limit = squared(state.minEdge * rankLength(least));
+  const double limit = squared(state.tree.minEdge * rankLength(least));
   return notBelow(shape.squaredRadius, limit) && atCentre(shape, limit, -1, proposal);
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
 
-constexpr double kLargeAreaRatio = 2.0;   // pairs beyond it get their shared edge moved
-constexpr double kSharedEdgeStep = 0.1;   // of the height h of the larger triangle
+constexpr double kLargeAreaRatio = 2.0;  // pairs beyond it get their shared edge moved
+constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
 // Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
 constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
 constexpr std::uint8_t kUnchanged = 128;  // since this pass began
@@ -64,7 +64,8 @@ Trial tryMove(MeshState& state, std::int32_t vertex, Point to) {
   return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? state.minEdge : was.worst};
 }
 
-Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t subject, std::int32_t vertex, Point to) {
+Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t subject, std::int32_t vertex,
+                   Point to) {
   const Point from = pointOf(state.mesh, vertex);
   const std::uint32_t firstId = state.mesh.nextId;
   const Trial trial = tryMove(state, vertex, to);
@@ -139,22 +140,36 @@ int largeNeighbour(const Mesh& mesh, std::int32_t slot) {
   return -1;
 }
 
-// The cursor counts half-steps: a triangle's two vertices are two decisions. index = 2·slot, + 1 for the second.
+// Where the corner p2 of an obtuse angle must go, straight away from the far side p1p3, for the angle to shrink by 2θ
+// at most: the way out when p1 and p3 may not move.
+Point apexRaised(Point p1, Point p2, Point p3, double theta) {
+  const Point side = p3 - p1;
+  const Point away = (1.0 / length(side)) * perpendicular(p1 - p3);
+  const double height = dot(p2 - p1, away);
+  const double target = 0.5 * length(side) / std::sqrt(3.0);
+  return p2 + std::min(theta * length(side), std::max(0.0, target - height)) * away;
+}
+
+// index = 3·slot + 0, 1 for the two sides p1 and p3 turned about p2, + 2 for p2 itself.
 Outcome runObtuse(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
-  for (; cursor.index < 2 * mesh.triangles.size(); ++cursor.index) {
-    const auto slot = static_cast<std::int32_t>(cursor.index / 2);
+  const double theta = state.settings.theta * trig::kDegree;
+  for (; cursor.index < 3 * mesh.triangles.size(); ++cursor.index) {
+    const auto slot = static_cast<std::int32_t>(cursor.index / 3);
     if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0) continue;
     const int corner = obtuseCorner(mesh, slot);
     if (corner < 0) continue;
-    const bool second = cursor.index % 2 == 1;
     const Triangle& t = triangleAt(mesh, slot);
     const std::int32_t p2 = t.v[static_cast<std::size_t>(corner)];
-    const std::int32_t moved = t.v[static_cast<std::size_t>(second ? prev3(corner) : next3(corner))];
-    if (!movable(mesh, moved)) continue;
-    const double angle = state.settings.theta * trig::kDegree;
-    const Point to = turned(pointOf(mesh, moved), pointOf(mesh, p2), trig::sinCos(second ? -angle : angle));
+    const std::int32_t p1 = t.v[static_cast<std::size_t>(next3(corner))];
+    const std::int32_t p3 = t.v[static_cast<std::size_t>(prev3(corner))];
+    const int which = static_cast<int>(cursor.index % 3);
+    const std::int32_t moved = which == 0 ? p1 : which == 1 ? p3 : p2;
+    if (!movable(mesh, moved) || (which == 2 && movable(mesh, p1) && movable(mesh, p3))) continue;
+    const Point about = pointOf(mesh, p2);
+    const Point to = which == 2 ? apexRaised(pointOf(mesh, p1), about, pointOf(mesh, p3), theta)
+                                : turned(pointOf(mesh, moved), about, trig::sinCos(which == 0 ? theta : -theta));
     ++cursor.index;
     return decideMove(state, journal, Rule::reduce_obtuse, idOf(mesh, slot), moved, to);
   }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kPatchDepth = 7;
 constexpr std::uint8_t kTried = 32;  // bit of Mesh::tested: nothing helped, and nothing has changed since
-constexpr int kPasses = 8;  // over the triangles that break a bound, in one visit of the stage
+constexpr int kPasses = 8;           // over the triangles that break a bound, in one visit of the stage
 
 enum class Edit : std::uint8_t { none, move, insert, remove, split };
 
@@ -106,16 +106,33 @@ void addInsertions(const Mesh& patch, std::int32_t slot, std::vector<Remedy>& re
   }
 }
 
-// Everything worth trying around the patch's triangle 0.
+std::int32_t firstLive(const Mesh& mesh) {
+  std::int32_t slot = 0;
+  while (!mesh.alive(slot)) ++slot;
+  return slot;
+}
+
+// The triangle to treat: the first that breaks a bound. In a fresh patch that is triangle 0.
+std::int32_t patient(const Mesh& patch) {
+  for (std::size_t slot = 0; slot < patch.triangles.size(); ++slot) {
+    const auto s = static_cast<std::int32_t>(slot);
+    if (patch.alive(s) && breaksBound(patch, s)) return s;
+  }
+  return firstLive(patch);
+}
+
+// Everything worth trying around the patch's patient.
 void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies) {
   remedies.clear();
   thread_local std::vector<std::int32_t> near, slots;
-  near.assign(patch.triangles[0].v.begin(), patch.triangles[0].v.end());
-  slots.assign(1, 0);
+  const std::int32_t centre = patient(patch);
+  near.assign(triangleAt(patch, centre).v.begin(), triangleAt(patch, centre).v.end());
+  slots.assign(1, centre);
   for (std::size_t k = 0; k < slots.size(); ++k) {
     for (const std::int32_t across : triangleAt(patch, slots[k]).adj) {
       if (across < 0) continue;
-      if (std::find(near.begin(), near.end(), apexOf(patch, across)) == near.end()) near.push_back(apexOf(patch, across));
+      if (std::find(near.begin(), near.end(), apexOf(patch, across)) == near.end())
+        near.push_back(apexOf(patch, across));
       if (k == 0) slots.push_back(triangleOf(across));
     }
   }
@@ -131,26 +148,68 @@ void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies) {
   }
 }
 
-// The best remedy for the patch, in the mesh's own indices; none when nothing makes it better.
-Remedy bestRemedy(const MeshState& state, std::int32_t slot, double& floor) {
-  thread_local Patch patch;
+// One edit, or two of which only the second shows that the first was worth it.
+using Treatment = std::array<Remedy, 2>;
+
+// Tries the remedies collected for `from` around its triangle `slot`; keeps the best treatment, and in `leads` the best
+// few edits that change which vertices there are, better or not.
+struct Lead {
+  Badness badness;
+  Remedy remedy;
+};
+constexpr std::size_t kLeads = 6;
+
+void tryRemedies(const MeshState& state, const Mesh& from, double floor, const Remedy& first, Badness& best,
+                 Treatment& chosen, std::vector<Lead>* leads) {
   thread_local Mesh trial;
   thread_local std::vector<Remedy> remedies;
+  collectRemedies(from, remedies);
+  for (const Remedy& remedy : remedies) {
+    trial = from;
+    if (apply(trial, state, remedy, firstLive(trial), floor).refusal != Refusal::none) continue;
+    const Badness after = badnessOfAll(trial);
+    if (after.shortest < floor * floor) continue;
+    if (better(after, best)) {
+      best = after;
+      chosen = first.edit == Edit::none ? Treatment{remedy, Remedy{}} : Treatment{first, remedy};
+    }
+    if (leads == nullptr || remedy.edit == Edit::move) continue;
+    const auto place =
+        std::find_if(leads->begin(), leads->end(), [&](const Lead& l) { return better(after, l.badness); });
+    leads->insert(place, {after, remedy});
+    if (leads->size() > kLeads) leads->pop_back();
+  }
+}
+
+// From the patch's numbering to the mesh's. What the first edit makes has the next number in both.
+void translate(const MeshState& state, const Patch& patch, Remedy& remedy) {
+  const auto across = [](const std::vector<std::int32_t>& map, std::size_t size, std::int32_t local) {
+    const auto l = static_cast<std::size_t>(local);
+    return l < map.size() ? map[l] : static_cast<std::int32_t>(size + l - map.size());
+  };
+  if (remedy.edit == Edit::move || remedy.edit == Edit::remove) {
+    remedy.index = across(patch.vertices, state.mesh.points.size(), remedy.index);
+  } else if (remedy.edit == Edit::split) {
+    remedy.index = across(patch.edges, state.mesh.edges.size(), remedy.index);
+  }
+}
+
+// The best treatment of the triangle, in the mesh's own numbering; none when nothing makes the patch better.
+Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor) {
+  thread_local Patch patch;
+  thread_local Mesh started;
   extractPatch(state.mesh, slot, kPatchDepth, patch);
   Badness best = badnessOfAll(patch.mesh);
   floor = floorAround(state, best);
-  Remedy chosen;
-  collectRemedies(patch.mesh, remedies);
-  for (const Remedy& remedy : remedies) {
-    trial = patch.mesh;
-    if (apply(trial, state, remedy, 0, floor).refusal != Refusal::none) continue;
-    const Badness after = badnessOfAll(trial);
-    if (after.shortest < floor * floor || !better(after, best)) continue;
-    best = after;
-    chosen = remedy;
+  Treatment chosen{};
+  std::vector<Lead> leads;
+  tryRemedies(state, patch.mesh, floor, {}, best, chosen, &leads);
+  for (std::size_t k = 0; chosen[0].edit == Edit::none && k < leads.size(); ++k) {
+    started = patch.mesh;
+    apply(started, state, leads[k].remedy, 0, floor);
+    tryRemedies(state, started, floor, leads[k].remedy, best, chosen, nullptr);
   }
-  if (chosen.edit == Edit::move || chosen.edit == Edit::remove) chosen.index = patch.vertices[at(chosen.index)];
-  if (chosen.edit == Edit::split) chosen.index = patch.edges[at(chosen.index)];
+  for (Remedy& remedy : chosen) translate(state, patch, remedy);
   return chosen;
 }
 
@@ -175,7 +234,8 @@ void record(const MeshState& state, Journal& journal, const Remedy& remedy, std:
 void queueBroken(MeshState& state) {
   for (std::size_t slot = state.mesh.triangles.size(); slot-- > 0;) {
     const auto s = static_cast<std::int32_t>(slot);
-    if (state.mesh.alive(s) && (state.mesh.tested[slot] & kTried) == 0 && breaksBound(state.mesh, s)) state.cursor.worklist.push_back(s);
+    if (state.mesh.alive(s) && (state.mesh.tested[slot] & kTried) == 0 && breaksBound(state.mesh, s))
+      state.cursor.worklist.push_back(s);
   }
 }
 
@@ -197,21 +257,29 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     const std::int32_t slot = cursor.worklist.back();
     cursor.worklist.pop_back();
     if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kTried) != 0 || !breaksBound(mesh, slot)) continue;
-    double floor = 0.0;
-    const Remedy remedy = bestRemedy(state, slot, floor);
     const std::uint32_t subject = idOf(mesh, slot);
-    const Point from = remedy.edit == Edit::move ? pointOf(mesh, remedy.index) : remedy.to;
-    const Attempt attempt = apply(mesh, state, remedy, slot, floor);
-    record(state, journal, remedy, subject, from, attempt);
+    double floor = 0.0;
+    const Treatment treatment = bestTreatment(state, slot, floor);
     StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
-    if (attempt.refusal != Refusal::none) {
+    if (treatment[0].edit == Edit::none) {
       mesh.tested[at(slot)] |= kTried;
       ++counts.refused;
+      record(state, journal, treatment[0], subject, {}, {});
       return Outcome::decided;
     }
     ++cursor.index;
-    if (remedy.edit == Edit::insert || remedy.edit == Edit::split) return Outcome::inserted;
-    ++(remedy.edit == Edit::move ? counts.moved : counts.removed);
+    bool inserted = false;
+    for (const Remedy& remedy : treatment) {
+      if (remedy.edit == Edit::none) break;
+      const Point from = remedy.edit == Edit::move ? pointOf(mesh, remedy.index) : remedy.to;
+      const std::int32_t start = mesh.alive(slot) ? slot : mesh.lastTriangle;
+      const Attempt attempt = apply(mesh, state, remedy, start, floor);
+      record(state, journal, remedy, subject, from, attempt);
+      if (remedy.edit == Edit::move) ++counts.moved;
+      if (remedy.edit == Edit::remove) ++counts.removed;
+      inserted = inserted || remedy.edit == Edit::insert || remedy.edit == Edit::split;
+    }
+    if (inserted) return Outcome::inserted;
     ++cursor.changes;
     return Outcome::decided;
   }
