@@ -48,7 +48,12 @@ struct Advance {
 struct Seek {
   std::uint64_t tick = 0;  // decisions from the start; beyond the end is the end
 };
-struct PreviousStage {};  // to the start of this stage, or of the one before when already there
+struct StepBack {
+  Grain grain = Grain::decision;  // stage: to its start, or that of the one before when already there
+};
+struct GoTo {
+  Stage stage = Stage::constraints;  // to where it begins for the first time, backwards or forwards
+};
 struct Restart {};
 struct Play {
   double decisionsPerSecond = 60.0;
@@ -56,8 +61,9 @@ struct Play {
 struct Pause {};   // stops where the run is
 struct Cancel {};  // stops; a re-mesh not yet complete is given up for the mesh and the settings from before
 }  // namespace command
-using Command = std::variant<command::OpenFile, command::OpenDomain, command::Change, command::Advance, command::Seek,
-                             command::PreviousStage, command::Restart, command::Play, command::Pause, command::Cancel>;
+using Command =
+    std::variant<command::OpenFile, command::OpenDomain, command::Change, command::Advance, command::Seek,
+                 command::StepBack, command::GoTo, command::Restart, command::Play, command::Pause, command::Cancel>;
 
 enum class Activity : std::uint8_t { idle, stepping, playing, meshing };
 

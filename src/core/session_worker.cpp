@@ -124,7 +124,8 @@ void SessionWorker::carryOut(const Command& order) {
     void operator()(const command::Change& c) const { w.change(c.settings); }
     void operator()(const command::Advance& c) const { w.headFor(c.grain); }
     void operator()(const command::Seek& c) const { w.seek(c.tick); }
-    void operator()(const command::PreviousStage&) const { w.previousStage(); }
+    void operator()(const command::StepBack& c) const { w.stepBack(c.grain); }
+    void operator()(const command::GoTo& c) const { w.goTo(c.stage); }
     void operator()(const command::Restart&) const { w.seek(0); }
     void operator()(const command::Play& c) const {
       w.head({.kind = Goal::Kind::play, .rate = std::max(c.decisionsPerSecond, 0.01)}, Activity::playing);
@@ -152,7 +153,9 @@ void SessionWorker::change(const Settings& settings) {
   const bool untouched = state_.stage < first || (state_.stage == first && !state_.cursor.begun);
   if (first == Stage::finished || untouched) {
     state_.settings = settings;
-    std::erase_if(checkpoints_, [first](const Checkpoint& c) { return c.state->stage > first; });
+    std::erase_if(checkpoints_, [first](const Checkpoint& c) {
+      return c.state->stage > first || (c.state->stage == first && c.state->cursor.begun);
+    });
     if (!backup_ && goal_.kind == Goal::Kind::none) publishState();
     return;
   }
@@ -163,8 +166,9 @@ void SessionWorker::change(const Settings& settings) {
   if (first == Stage::constraints) {
     if (!startOver(state_.domain, settings)) return;
   } else {
-    const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(),
-                                   [first](const Checkpoint& c) { return c.state->stage <= first; });
+    const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(), [first](const Checkpoint& c) {
+      return c.state->stage < first || (c.state->stage == first && !c.state->cursor.begun);
+    });
     const Checkpoint start = *last;  // there is always one: the first stage's
     state_.settings = settings;
     returnTo(start);
@@ -185,10 +189,50 @@ void SessionWorker::seek(std::uint64_t tick) {
   head({.kind = Goal::Kind::tick, .tick = tick}, Activity::stepping);
 }
 
-void SessionWorker::previousStage() {
+void SessionWorker::stepBack(Grain grain) {
+  const std::uint64_t now = state_.tick;
+  if (grain == Grain::decision) return seek(now == 0 ? 0 : now - 1);
+  if (grain == Grain::insertion) {
+    if (const auto tick = lastInsertionBefore(now)) return seek(*tick);
+    return halt();
+  }
   const auto before = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(),
-                                   [this](const Checkpoint& c) { return c.state->tick < state_.tick; });
+                                   [now](const Checkpoint& c) { return c.state->tick < now; });
   seek(before == checkpoints_.rend() ? 0 : before->state->tick);
+}
+
+void SessionWorker::goTo(Stage stage) {
+  if (backup_) cancel();
+  const auto entry = std::find_if(checkpoints_.begin(), checkpoints_.end(),
+                                  [stage](const Checkpoint& c) { return c.state->stage >= stage; });
+  if (entry != checkpoints_.end()) return seek(entry->state->tick);
+  head({.kind = Goal::Kind::entry, .stage = stage}, Activity::stepping);
+}
+
+bool SessionWorker::interrupted() {
+  const std::lock_guard lock(mutex_);
+  return quit_ || !inbox_.empty();
+}
+
+std::optional<std::uint64_t> SessionWorker::lastInsertionBefore(std::uint64_t tick) {
+  constexpr std::uint64_t kBetweenLooks = 256;
+  Journal deaf;
+  for (auto from = checkpoints_.rbegin(); from != checkpoints_.rend(); ++from) {
+    if (from->state->tick >= tick) continue;
+    MeshState replay = *from->state;
+    replay.settings = state_.settings;
+    // Beyond the next checkpoint nothing was found already.
+    const std::uint64_t end = from == checkpoints_.rbegin() ? tick : std::min(tick, from.base()->state->tick + 1);
+    std::optional<std::uint64_t> found;
+    for (std::size_t vertices = replay.mesh.points.size();
+         advance(replay, Grain::decision, deaf) && replay.tick < end;) {
+      if (replay.mesh.points.size() > vertices) found = replay.tick;
+      vertices = replay.mesh.points.size();
+      if (replay.tick % kBetweenLooks == 0 && interrupted()) return std::nullopt;
+    }
+    if (found) return found;
+  }
+  return 0;
 }
 
 void SessionWorker::cancel() {
@@ -319,6 +363,8 @@ bool SessionWorker::reached() const {
       return state_.round != goal_.round || (goal_.round == 0 && state_.stage != goal_.stage);
     case Goal::Kind::tick:
       return state_.tick >= goal_.tick;
+    case Goal::Kind::entry:
+      return state_.stage >= goal_.stage;
     case Goal::Kind::end:
     case Goal::Kind::play:
       return false;

@@ -42,8 +42,18 @@ class SessionWorker {
 
   /// What the worker is heading for.
   struct Goal {
-    enum class Kind : std::uint8_t { none, decision, insertion, stage, round, tick, end, play } kind = Kind::none;
-    Stage stage = Stage::constraints;  // stage, round: where the step began
+    enum class Kind : std::uint8_t {
+      none,
+      decision,
+      insertion,
+      stage,
+      round,
+      tick,
+      entry,
+      end,
+      play
+    } kind = Kind::none;
+    Stage stage = Stage::constraints;  // stage, round: where the step began; entry: where to stop
     std::uint16_t round = 0;
     std::size_t vertices = 0;  // insertion: how many there were
     std::uint64_t tick = 0;    // tick: where to stop
@@ -70,12 +80,17 @@ class SessionWorker {
   void open(std::shared_ptr<const Domain> domain);
   void change(const Settings& settings);
   void seek(std::uint64_t tick);
-  void previousStage();
+  void stepBack(Grain grain);
+  void goTo(Stage stage);
   void cancel();
   void head(Goal goal, Activity activity);
   void headFor(Grain grain);
   void halt();
   void fail(Error error);
+
+  [[nodiscard]] bool interrupted();
+  /// Tick right after the last insertion before this tick; nothing when a new command came while looking.
+  std::optional<std::uint64_t> lastInsertionBefore(std::uint64_t tick);
 
   void slice();
   void carry(std::uint64_t decisions);

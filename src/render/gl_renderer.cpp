@@ -5,6 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "render/stroke.h"
+
 namespace triscope {
 namespace {
 
@@ -23,7 +25,7 @@ void setView(GlProgram& program, const Camera& camera, Point origin) {
 
 void setDash(GlProgram& program, const LineStyle& style, double density) {
   const DashPattern pattern = patternOf(style.dash);
-  const auto unit = static_cast<float>(density * std::max(1.0f, style.width));
+  const auto unit = static_cast<float>(density * dashUnit(style.width));
   program.set("uDash", unit * pattern.lengths[0], unit * pattern.lengths[1], unit * pattern.lengths[2],
               unit * pattern.lengths[3]);
   program.set("uDashCount", pattern.count);

@@ -1,0 +1,174 @@
+#include "core/caption.h"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+std::string capitalised(std::string_view text) {
+  std::string result(text);
+  if (!result.empty()) result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+  return result;
+}
+
+/// "1.98": four significant digits are what a reader can compare at a glance.
+std::string number(double value) { return fmt::format("{:.4g}", value); }
+
+std::string place(Point p) { return fmt::format("({}, {})", number(p.x), number(p.y)); }
+
+/// "triangle 5790", or a stand-in where no triangle is named.
+std::string triangle(std::uint32_t id) {
+  return id == kNoId ? std::string("the boundary") : fmt::format("triangle {}", id);
+}
+
+std::string count(std::uint64_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+/// "its circumradius R = 2.31 is not below its shortest edge e = 1.98"
+std::string reasonOf(const Event& e) {
+  const std::string m = number(e.measured);
+  const std::string l = number(e.limit);
+  switch (e.rule) {
+    case Rule::step1:
+      return fmt::format("its circumradius R = {} is not below the edge length h = {} wanted at the circumcentre", m,
+                         l);
+    case Rule::step2:
+      return fmt::format("its circumradius R = {} is not below h = {}, the smallest edge length wanted at its corners",
+                         m, l);
+    case Rule::step3:
+      return fmt::format("its circumradius R = {} is not below its shortest edge e = {}", m, l);
+    case Rule::step4:
+      return fmt::format("its circumradius R = {} is not below the shortest edge e = {} of its neighbour", m, l);
+    case Rule::step5:
+      return fmt::format(
+          "the neighbour's apex lies {} from the middle of the shared edge, not nearer than e + height = {}", m, l);
+    default:
+      return std::string(describe(e.rule));
+  }
+}
+
+/// What the decision did to the triangulation: " 4 triangles gave way to 6."
+std::string effectOf(const Event& e) {
+  if (e.createdCount == 0) return {};
+  if (e.removedCount == 0) return fmt::format(" It made {}.", count(e.createdCount, "triangle", "triangles"));
+  return fmt::format(" {} gave way to {}.", capitalised(count(e.removedCount, "triangle", "triangles")),
+                     e.createdCount);
+}
+
+std::string insertion(const Event& e) {
+  const std::string rule = capitalised(name(e.rule));
+  switch (e.rule) {
+    case Rule::initial:
+      return fmt::format("Boundary point {} joined the triangulation.", e.vertex) + effectOf(e);
+    case Rule::first_front:
+    case Rule::second_front:
+      return fmt::format("{}: vertex {} was placed at {}, {}.", rule, e.vertex, place(e.at), describe(e.rule)) +
+             effectOf(e);
+    case Rule::step5:
+      return fmt::format("{} put vertex {} across an edge of {}: {}.", rule, e.vertex, triangle(e.subject),
+                         reasonOf(e)) +
+             effectOf(e);
+    default:
+      return fmt::format("{} put vertex {} at the circumcentre of {}: {}.", rule, e.vertex, triangle(e.subject),
+                         reasonOf(e)) +
+             effectOf(e);
+  }
+}
+
+/// Why not: the refusal, with its figures where it was a comparison.
+std::string refusalOf(const Event& e) {
+  const std::string why(describe(e.refusal));
+  switch (e.refusal) {
+    case Refusal::too_close:
+    case Refusal::edge_below_minimum:
+      return fmt::format("{} ({} < {})", why, number(e.measured), number(e.limit));
+    default:
+      return why;
+  }
+}
+
+std::string movement(const Event& e) {
+  return fmt::format("{}: vertex {} moved by {} to {}: {}.", capitalised(name(e.rule)), e.vertex,
+                     number(distance(e.from, e.at)), place(e.at), describe(e.rule));
+}
+
+std::string constraint(const Event& e) {
+  return fmt::format("An edge length of {} is wanted at {}: {}.", number(e.measured), place(e.at), describe(e.rule));
+}
+
+std::string ranking(const Event& e) {
+  if (e.limit > 0.0 && e.limit != e.measured)
+    return fmt::format("Cell {} took density rank {} instead of {}: {}.", e.subject, number(e.measured),
+                       number(e.limit), describe(e.rule));
+  return fmt::format("Cell {} took density rank {}: {}.", e.subject, number(e.measured), describe(e.rule));
+}
+
+}  // namespace
+
+std::string captionOf(const Event& e) {
+  const std::string stage = capitalised(infoOf(e.stage).name);
+  switch (e.kind) {
+    case EventKind::stage_begun:
+      if (e.round > 0) return fmt::format("{} begins, round {}: it {}.", stage, e.round, infoOf(e.stage).does);
+      return fmt::format("{} begins: it {}.", stage, infoOf(e.stage).does);
+    case EventKind::stage_finished:
+      if (e.subject == 0) return fmt::format("{} is over: it had nothing to change.", stage);
+      return fmt::format("{} is over after {}.", stage, count(e.subject, "change", "changes"));
+    case EventKind::constraint_found:
+      return constraint(e);
+    case EventKind::cell_split:
+      return fmt::format("Cell {} was split into four: {}.", e.subject, describe(e.rule));
+    case EventKind::cell_ranked:
+      return ranking(e);
+    case EventKind::boundary_point:
+      return fmt::format("Boundary point {} was placed at {} on curve {}, where edges of h = {} are wanted.", e.other,
+                         place(e.at), e.subject, number(e.measured));
+    case EventKind::vertex_inserted:
+      return insertion(e);
+    case EventKind::vertex_refused:
+      return fmt::format("{} proposed a vertex at {} for {}, and it was refused: {}.", capitalised(name(e.rule)),
+                         place(e.at), triangle(e.subject), refusalOf(e));
+    case EventKind::edge_split:
+      return fmt::format("Boundary edge {} was split at vertex {}: {}.", e.subject, e.vertex, describe(e.rule)) +
+             effectOf(e);
+    case EventKind::vertex_removed:
+      return fmt::format("Vertex {} was removed: {}.", e.vertex, describe(e.rule));
+    case EventKind::triangle_removed:
+      return fmt::format("Triangle {} was removed: {}.", e.subject, describe(e.rule));
+    case EventKind::edge_flipped:
+      return fmt::format("The edge between triangles {} and {} was flipped: {}.", e.subject, e.other, describe(e.rule));
+    case EventKind::vertex_moved:
+      return movement(e);
+    case EventKind::vertex_kept:
+      return fmt::format("{}: vertex {} stays where it is, because {}.", capitalised(name(e.rule)), e.vertex,
+                         refusalOf(e));
+    case EventKind::failure:
+      return fmt::format("{} cannot go on at {}.", stage, place(e.at));
+  }
+  return {};
+}
+
+std::string summaryOf(const MeshState& state, const Quality& q) {
+  if (state.failed)
+    return fmt::format("The method stopped in {}; the mesh is shown as it was then.", infoOf(state.stage).name);
+  if (state.stage != Stage::finished) {
+    const std::string verb = state.cursor.begun ? "continues with" : "comes next:";
+    return fmt::format(
+        "{} {}", capitalised(infoOf(state.stage).name),
+        state.cursor.begun ? std::string("goes on.") : fmt::format("{} it {}.", verb, infoOf(state.stage).does));
+  }
+  return fmt::format(
+      "Finished after {} decisions: {} triangles, {} of them obtuse. {} of the paper: aspect {:.2f}, area ratio "
+      "{:.2f}, "
+      "edge ratio {:.2f}, angles from {:.1f}° to {:.1f}°.",
+      state.tick, q.triangles, q.obtuse == 0 ? std::string("none") : std::to_string(q.obtuse),
+      q.withinBounds() ? "Within all bounds" : "Not within all bounds", q.aspectMax, q.areaRatioMax, q.edgeRatioMax,
+      q.minAngle, q.maxAngle);
+}
+
+}  // namespace triscope

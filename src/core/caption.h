@@ -1,0 +1,19 @@
+// What an event means, in plain English: what happened, and why.
+#pragma once
+
+#include <string>
+
+#include "core/event.h"
+#include "core/quality/quality.h"
+#include "core/state.h"
+
+namespace triscope {
+
+/// "Step 3 put vertex 611 at the circumcentre of triangle 5790: its circumradius R = 2.31 is not below …"
+/// One or two sentences, UTF-8, with the event's own figures; nothing is computed again.
+std::string captionOf(const Event& event);
+
+/// Where the run as a whole is: before its first decision, between two, failed, or finished with these figures.
+std::string summaryOf(const MeshState& state, const Quality& quality);
+
+}  // namespace triscope

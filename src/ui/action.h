@@ -1,0 +1,101 @@
+// Everything that a key, a menu entry or a toolbar button can ask for: one table for all of them, for the help
+// overlay and for docs/keys.md.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace triscope {
+
+enum class Action : std::uint8_t {
+  // File
+  open,
+  reload,
+  export_mesh,
+  save_picture,
+  save_figure,
+  quit,
+  // Run
+  play_pause,
+  step,
+  step_back,
+  insertion,
+  insertion_back,
+  stage,
+  stage_back,
+  round,
+  restart,
+  to_end,
+  slower,
+  faster,
+  cancel,
+  undo,
+  redo,
+  // View
+  fit,
+  zoom_in,
+  zoom_out,
+  worst_aspect,
+  worst_area,
+  worst_edge,
+  boundary,
+  boundary_points,
+  quadtree,
+  constraints,
+  fronts,
+  steiner,
+  triangulation,
+  obtuse,
+  worst,
+  decision,
+  labels,
+  legend,
+  next_fill,
+  next_theme,
+  larger,
+  smaller,
+  normal_size,
+  // Help
+  help,
+  about,
+};
+inline constexpr int kActionCount = static_cast<int>(Action::about) + 1;
+
+enum class Menu : std::uint8_t { file, run, view, help };
+
+/// A key with its modifiers, as GLFW numbers them; key 0: none.
+struct Chord {
+  int key = 0;
+  int mods = 0;
+  friend bool operator==(const Chord&, const Chord&) = default;
+};
+
+struct ActionInfo {
+  Action id;
+  Menu menu;
+  std::string_view key;    // for files and tests: "step_back"
+  std::string_view label;  // on menus: "Step back"
+  std::string_view help;   // one sentence
+  std::array<Chord, 3> chords;
+};
+
+/// One entry per Action, in order.
+std::span<const ActionInfo> actions();
+inline const ActionInfo& infoOf(Action action) { return actions()[static_cast<std::size_t>(action)]; }
+
+/// The action that a key press asks for; lock keys are ignored.
+std::optional<Action> actionFor(int key, int mods);
+
+std::string_view nameOf(Menu menu);
+/// "Ctrl+Shift+F11".
+std::string textOf(Chord chord);
+/// "F10, Shift+Right"; empty when the action has no key.
+std::string keysOf(const ActionInfo& info);
+/// docs/keys.md.
+std::string keysAsMarkdown();
+
+}  // namespace triscope

@@ -1,0 +1,243 @@
+#include "ui/app.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/domain/read.h"
+#include "render/embedded.h"
+#include "ui/panels.h"
+#include "ui/preferences.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+constexpr const char* kFirstSample = "blunt_body.json";
+
+Command firstCommand(const std::string& file) {
+  if (!file.empty()) return command::OpenFile{file};
+  const auto bytes = findEmbedded(embeddedSamples(), kFirstSample);
+  const std::string text(bytes.begin(), bytes.end());
+  Result<Domain> sample = parseDomain(text, "");
+  if (!sample) return command::OpenFile{kFirstSample};
+  return command::OpenDomain{std::make_shared<const Domain>(std::move(*sample))};
+}
+
+}  // namespace
+
+App::App(const WindowOptions& options, std::function<void()> wake)
+    : wake_(std::move(wake)), session_(wake_), stateFile_(options.stateFile) {
+  preferencesPath_ = options.preferences.empty()     ? preferencesPath()
+                     : options.preferences == "none" ? ""
+                                                     : options.preferences;
+  if (!preferencesPath_.empty()) ui_.look = readPreferences(preferencesPath_);
+  savedLook_ = ui_.look;
+  ui_.options.theme = ui_.look.theme;
+  // Meshing begins while the window is still being made.
+  session_.apply(firstCommand(options.file));
+}
+
+App::~App() {
+  if (!preferencesPath_.empty() && ui_.look != savedLook_) writePreferences(preferencesPath_, ui_.look);
+}
+
+std::string App::start(double monitorScale) {
+  ui_.monitorScale = monitorScale;
+  renderer_ = std::make_unique<GlRenderer>();
+  return renderer_->start();
+}
+
+void App::onKey(int key, int mods) {
+  if (const std::optional<Action> action = actionFor(key, mods)) {
+    // While text is typed only what cannot be part of it is a command.
+    const bool typing = ImGui::GetIO().WantTextInput;
+    const bool printable = key < 256 && (mods & 0x2) == 0;
+    if (typing && (printable || *action == Action::undo || *action == Action::redo)) return;
+    const bool inDialog = ui_.dialog != Dialog::none;
+    if (inDialog && *action != Action::cancel && *action != Action::quit && *action != Action::help) return;
+    pressed_.push_back(*action);
+  }
+}
+
+void App::onDrop(const std::string& path) { apply(command::OpenFile{path}); }
+
+bool App::poll() {
+  const std::optional<Error> before = session_.error();
+  if (!session_.poll()) return false;
+  if (session_.error() && (!before || describe(*before) != describe(*session_.error()))) {
+    ui_.error = session_.error();
+    openDialog(Dialog::error);
+  }
+  followRun();
+  return true;
+}
+
+void App::followRun() {
+  const SnapshotPtr& now = session_.current();
+  if (now == nullptr || now == shown_) return;
+  shown_ = now;
+  if (now->state.domain != shownDomain_) {
+    shownDomain_ = now->state.domain;
+    select({});
+    ui_.undo.clear();
+    ui_.redo.clear();
+    fitted_ = true;
+  }
+  // The slot may have been reused: the id says what was meant.
+  Selection& selection = ui_.selected.selection;
+  const Mesh& mesh = now->state.mesh;
+  switch (selection.kind) {
+    case Selection::Kind::triangle:
+    case Selection::Kind::edge:
+      selection.index = slotOf(mesh, ui_.selected.id);
+      ui_.selectedGone = selection.index < 0;
+      break;
+    case Selection::Kind::vertex:
+      ui_.selectedGone = ui_.selected.id >= mesh.points.size() || mesh.kinds[ui_.selected.id] == VertexKind::removed;
+      break;
+    case Selection::Kind::cell:
+      ui_.selectedGone = ui_.selected.id >= now->state.tree.cells.size();
+      break;
+    case Selection::Kind::none:
+      ui_.selectedGone = false;
+      break;
+  }
+}
+
+bool App::prepareFrame() {
+  const double scale = ui_.scale();
+  const bool rescaled = scale != styledScale_;
+  if (!rescaled && ui_.look.theme == styledTheme_) return false;
+  if (rescaled) fonts_ = loadFonts(static_cast<float>(scale));
+  applyStyle(themeOf(ui_.look.theme), static_cast<float>(scale));
+  styledScale_ = scale;
+  styledTheme_ = ui_.look.theme;
+  return rescaled;
+}
+
+View App::view() {
+  return {
+      session_, ui_, scene_, fonts_, renderer_ ? renderer_->texture() : 0, stateFile_.wanted() ? &widgets_ : nullptr};
+}
+
+void App::frame() {
+  widgets_.clear();
+  Orders orders;
+  for (const Action action : pressed_) orders.emplace_back(action);
+  pressed_.clear();
+
+  float menuHeight = 0.0f;
+  const View shown = view();
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {shown.px(8), shown.px(6)});
+  if (ImGui::BeginMainMenuBar()) {
+    ImGui::PopStyleVar();
+    drawMenuBar(shown, orders);
+    menuHeight = ImGui::GetWindowHeight();
+    ImGui::EndMainMenuBar();
+  } else {
+    ImGui::PopStyleVar();
+  }
+  const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, menuHeight, ui_);
+  drawPicture(layout.canvas);
+  drawRegions(layout, view(), orders);
+  for (const Order& order : orders) carryOut(order);
+  if (!orders.empty()) followRun();
+  finishExport();
+  if (stateFile_.wanted()) stateFile_.update(describeWindow(view(), captionNow(view())), frames_);
+}
+
+void App::finishFrame(double milliseconds) {
+  ui_.frameMs = milliseconds;
+  ++frames_;
+}
+
+void App::drawPicture(const Region& region) {
+  const double width = std::max(1.0, static_cast<double>(region.size.x));
+  const double height = std::max(1.0, static_cast<double>(region.size.y));
+  if (ui_.camera.width != width || ui_.camera.height != height) ui_.camera = resized(ui_.camera, width, height);
+  if (const SnapshotPtr& now = session_.current()) {
+    ViewOptions options = ui_.options;
+    options.theme = ui_.look.theme;
+    options.dimmed = session_.stale();
+    options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
+    updateScene(scene_, now->state, options, now->last ? &*now->last : nullptr, &now->quality);
+    if (fitted_) fit();
+  } else {
+    scene_.theme = themeOf(ui_.look.theme);
+  }
+  renderer_->draw(scene_, ui_.camera, ui_.scale());
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const Point pixel{static_cast<double>(mouse.x - region.at.x), static_cast<double>(mouse.y - region.at.y)};
+  const bool over = pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < width && pixel.y < height;
+  ui_.cursor = over && session_.current() ? std::optional(toWorld(ui_.camera, pixel)) : std::nullopt;
+}
+
+void App::drawRegions(const Layout& layout, const View& shown, Orders& orders) {
+  struct Fixed {
+    const char* name;
+    const Region& region;
+    ImVec2 padding;
+    void (*draw)(const View&, Orders&);
+    bool sunken;
+  };
+  const std::array<Fixed, 4> fixed{{
+      {"##toolbar", layout.toolbar, {shown.px(10), shown.px(7)}, drawToolbar, false},
+      {"##canvas", layout.canvas, {0, 0}, drawCanvas, true},
+      {"##caption", layout.caption, {shown.px(12), shown.px(9)}, drawCaption, false},
+      {"##status", layout.status, {shown.px(12), shown.px(5)}, drawStatusBar, false},
+  }};
+  for (const Fixed& part : fixed) {
+    const ImGuiWindowFlags flags = part.sunken ? ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground : 0;
+    if (beginRegion(part.name, part.region, part.padding, flags)) part.draw(shown, orders);
+    ImGui::End();
+  }
+  drawSide("##left", Side::left, layout.left, shown, orders);
+  drawSide("##right", Side::right, layout.right, shown, orders);
+  drawSplitters(shown, orders, layout);
+  drawDialog(shown, orders);
+}
+
+void App::drawSide(const char* name, Side side, const Region& region, const View& shown, Orders& orders) {
+  if (region.size.x < 2.0f) return;
+  if (beginRegion(name, region, {shown.px(10), shown.px(6)}) && ImGui::BeginTabBar("tabs")) {
+    for (const PanelInfo& panel : panels()) {
+      if (panel.side != side) continue;
+      const ImGuiTabItemFlags flags = wantedTab_ == panel.name ? ImGuiTabItemFlags_SetSelected : 0;
+      const bool open = ImGui::BeginTabItem(panel.name, nullptr, flags);
+      note(shown, std::string("tab.") + panel.name);
+      if (!open) continue;
+      if (side == Side::left && wantedTab_.empty()) ui_.tab = panel.name;
+      if (ImGui::BeginChild("content", {0, 0}, false)) panel.draw(shown, orders);
+      ImGui::EndChild();
+      ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+    if (side == Side::left) wantedTab_.clear();
+  }
+  ImGui::End();
+}
+
+void App::drawDialog(const View& shown, Orders& orders) {
+  switch (ui_.dialog) {
+    case Dialog::none:
+      break;
+    case Dialog::open:
+      openDialog_.draw(shown, orders);
+      break;
+    case Dialog::export_to:
+      exportDialog_.draw(shown, orders);
+      break;
+    case Dialog::error:
+      drawErrorDialog(shown, orders);
+      break;
+    case Dialog::help:
+      drawHelpDialog(shown, orders);
+      break;
+    case Dialog::about:
+      drawAboutDialog(shown, orders);
+      break;
+  }
+}
+
+}  // namespace triscope

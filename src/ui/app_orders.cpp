@@ -1,0 +1,314 @@
+// What orders do.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "core/io/export.h"
+#include "core/io/write_mesh.h"
+#include "render/figure.h"
+#include "ui/app.h"
+
+namespace triscope {
+namespace {
+
+using std::chrono::milliseconds;
+
+// A step that takes longer than this is shown when it is done; until then the window goes on.
+constexpr auto kPatience = milliseconds(40);
+// Changes that follow each other this closely are one drag, and one step of undo.
+constexpr auto kOneDrag = milliseconds(700);
+
+bool isPicture(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".svg" || extension == ".png";
+}
+
+}  // namespace
+
+void App::carryOut(const Order& order) {
+  struct Visitor {
+    App& app;
+    void operator()(Action action) const { app.perform(action); }
+    void operator()(const Command& command) const { app.apply(command); }
+    void operator()(const ViewOptions& options) const { app.ui_.options = options; }
+    void operator()(const Camera& camera) const {
+      app.ui_.camera = camera;
+      app.fitted_ = false;
+    }
+    void operator()(const Appearance& look) const { app.ui_.look = look; }
+    void operator()(const order::SelectElement& o) const { app.select(o.pick); }
+    void operator()(const order::Frame& o) const { app.frameBox(o.box, 0.0); }
+    void operator()(const order::SetSpeed& o) const {
+      app.ui_.speed = o.decisionsPerSecond;
+      if (app.session_.progress().activity == Activity::playing)
+        app.session_.apply(command::Play{o.decisionsPerSecond});
+    }
+    void operator()(const order::ExportTo& o) const { app.exportTo(o.path); }
+    void operator()(const order::ShowTab& o) const { app.wantedTab_ = o.name; }
+    void operator()(const order::CloseDialog&) const { app.ui_.dialog = Dialog::none; }
+  };
+  std::visit(Visitor{*this}, order);
+}
+
+void App::apply(const Command& command) {
+  if (const auto* changed = std::get_if<command::Change>(&command)) return change(changed->settings);
+  ui_.message.clear();
+  session_.apply(command);
+  // What is quick is shown in this very frame.
+  if (!std::holds_alternative<command::Play>(command)) session_.settle(kPatience);
+  poll();
+}
+
+void App::change(const Settings& settings) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - lastChange_ > kOneDrag) ui_.undo.push_back(session_.settings());
+  ui_.redo.clear();
+  lastChange_ = now;
+  changeWithoutUndo(settings);
+}
+
+void App::changeWithoutUndo(const Settings& settings) {
+  session_.apply(command::Change{settings});
+  session_.settle(kPatience);
+  poll();
+}
+
+void App::perform(Action action) {
+  if (const std::string reason = whyNot(action, view()); !reason.empty()) {
+    ui_.message = reason;
+    return;
+  }
+  switch (action) {
+    case Action::open:
+      openDialog_.prepare(shownDomain_ ? shownDomain_->file : std::string());
+      return openDialog(Dialog::open);
+    case Action::reload:
+      return apply(command::OpenFile{shownDomain_->file});
+    case Action::export_mesh:
+      exportDialog_.prepare(suggestedPath(".msh"));
+      return openDialog(Dialog::export_to);
+    case Action::save_picture:
+      return exportTo(suggestedPath(".png"));
+    case Action::save_figure:
+      return exportTo(suggestedPath(".svg"));
+    case Action::quit:
+      closing_ = true;
+      return;
+    case Action::help:
+      return openDialog(ui_.dialog == Dialog::help ? Dialog::none : Dialog::help);
+    case Action::about:
+      return openDialog(Dialog::about);
+    case Action::cancel:
+      return cancel();
+    case Action::fit:
+      return fit();
+    case Action::zoom_in:
+      return zoomMiddle(1.25);
+    case Action::zoom_out:
+      return zoomMiddle(0.8);
+    case Action::worst_aspect:
+      return showWorst(shown_->quality.aspectAt, -1);
+    case Action::worst_area:
+      return showWorst(shown_->quality.areaRatioAt, shown_->quality.areaRatioOther);
+    case Action::worst_edge:
+      return showWorst(shown_->quality.edgeRatioAt, -1);
+    case Action::next_theme:
+      ui_.look.theme = static_cast<ThemeKind>((static_cast<int>(ui_.look.theme) + 1) % 3);
+      return;
+    case Action::larger:
+      return setScale(ui_.scale() + 0.25);
+    case Action::smaller:
+      return setScale(ui_.scale() - 0.25);
+    case Action::normal_size:
+      ui_.look.scale = 0.0;
+      return;
+    case Action::next_fill:
+      ui_.options.fill = static_cast<TriangleFill>((static_cast<int>(ui_.options.fill) + 1) % kTriangleFillCount);
+      return;
+    default:
+      break;
+  }
+  if (isOn(action, ui_))
+    toggle(action);
+  else
+    performOnRun(action);
+}
+
+void App::performOnRun(Action action) {
+  switch (action) {
+    case Action::play_pause:
+      if (session_.busy()) return apply(command::Pause{});
+      return apply(command::Play{ui_.speed});
+    case Action::step:
+      return apply(command::Advance{Grain::decision});
+    case Action::step_back:
+      return apply(command::StepBack{Grain::decision});
+    case Action::insertion:
+      return apply(command::Advance{Grain::insertion});
+    case Action::insertion_back:
+      return apply(command::StepBack{Grain::insertion});
+    case Action::stage:
+      return apply(command::Advance{Grain::stage});
+    case Action::stage_back:
+      return apply(command::StepBack{Grain::stage});
+    case Action::round:
+      return apply(command::Advance{Grain::round});
+    case Action::restart:
+      return apply(command::Restart{});
+    case Action::to_end:
+      return apply(command::Advance{Grain::all});
+    case Action::slower:
+      return carryOut(order::SetSpeed{std::max(1.0, ui_.speed * 0.5)});
+    case Action::faster:
+      return carryOut(order::SetSpeed{std::min(100000.0, ui_.speed * 2.0)});
+    case Action::undo: {
+      const Settings back = ui_.undo.back();
+      ui_.undo.pop_back();
+      ui_.redo.push_back(session_.settings());
+      return changeWithoutUndo(back);
+    }
+    case Action::redo: {
+      const Settings again = ui_.redo.back();
+      ui_.redo.pop_back();
+      ui_.undo.push_back(session_.settings());
+      return changeWithoutUndo(again);
+    }
+    default:
+      return;
+  }
+}
+
+void App::toggle(Action action) {
+  ViewOptions& o = ui_.options;
+  const auto flip = [](bool& value) { value = !value; };
+  switch (action) {
+    case Action::boundary:
+      return flip(o.boundary);
+    case Action::boundary_points:
+      return flip(o.boundaryPoints);
+    case Action::quadtree:
+      return flip(o.quadtree);
+    case Action::constraints:
+      return flip(o.constraints);
+    case Action::fronts:
+      return flip(o.fronts);
+    case Action::steiner:
+      return flip(o.steiner);
+    case Action::triangulation:
+      return flip(o.triangulation);
+    case Action::obtuse:
+      return flip(o.obtuse);
+    case Action::worst:
+      return flip(o.worst);
+    case Action::decision:
+      return flip(o.decision);
+    case Action::labels:
+      return flip(o.labels);
+    case Action::legend:
+      return flip(ui_.look.legend);
+    default:
+      return;
+  }
+}
+
+void App::cancel() {
+  if (ui_.dialog != Dialog::none)
+    ui_.dialog = Dialog::none;
+  else if (session_.busy())
+    apply(command::Cancel{});
+  else if (ui_.selected.selection.kind != Selection::Kind::none)
+    select({});
+  else
+    ui_.message.clear();
+}
+
+void App::select(const Pick& pick) {
+  ui_.selected = pick;
+  ui_.selectedGone = false;
+}
+
+void App::showWorst(std::int32_t slot, std::int32_t other) {
+  const Mesh& mesh = shown_->state.mesh;
+  Box box;
+  for (const std::int32_t one : {slot, other})
+    if (one >= 0)
+      for (const std::int32_t v : mesh.triangles[static_cast<std::size_t>(one)].v)
+        box.include(mesh.points[static_cast<std::size_t>(v)]);
+  const double reach = 3.0 * std::max(box.width(), box.height());  // with its surroundings
+  box.include(box.lo - Point{reach, reach});
+  box.include(box.hi + Point{reach, reach});
+  frameBox(box, 0.0);
+  select({{Selection::Kind::triangle, slot, -1}, mesh.ids[static_cast<std::size_t>(slot)], 0.0});
+}
+
+void App::frameBox(const Box& box, double marginAt100) {
+  ui_.camera = fitted(box, ui_.camera.width, ui_.camera.height, marginAt100 * ui_.scale());
+  fitted_ = false;
+}
+
+void App::fit() {
+  frameBox(scene_.bounds, 24.0);
+  fitted_ = true;
+}
+
+void App::zoomMiddle(double factor) {
+  const Point middle{0.5 * ui_.camera.width, 0.5 * ui_.camera.height};
+  ui_.camera = zoomed(ui_.camera, middle, factor, scene_.bounds);
+  fitted_ = false;
+}
+
+void App::setScale(double scale) { ui_.look.scale = std::clamp(std::round(scale * 4.0) / 4.0, 0.75, 3.0); }
+
+void App::openDialog(Dialog dialog) {
+  ui_.dialog = dialog;
+  if (dialog != Dialog::error) ui_.error.reset();
+}
+
+std::string App::suggestedPath(const char* extension) const {
+  std::string name = shownDomain_ && !shownDomain_->name.empty() ? shownDomain_->name : "mesh";
+  std::replace_if(name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+  std::error_code failure;
+  return (std::filesystem::current_path(failure) / (name + extension)).string();
+}
+
+void App::exportTo(const std::string& path) {
+  if (export_.running()) return;
+  const SnapshotPtr now = session_.current();
+  if (now == nullptr) return;
+  ui_.exporting = true;
+  exportPath_ = path;
+  ui_.message = "Writing " + path + " …";
+  ViewOptions options = ui_.options;
+  options.theme = ui_.look.theme;
+  options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
+  FigureOptions figure;
+  figure.width = static_cast<int>(ui_.camera.width);
+  figure.height = static_cast<int>(ui_.camera.height);
+  figure.scale = ui_.scale();
+  figure.title = figureTitle(now->state, now->state.stage);
+  figure.caption = figureCaption(now->state, now->state.stage);
+  figure.region = visibleBox(ui_.camera);
+  export_.start(
+      [now, path, options, figure]() -> Status {
+        if (isPicture(path)) return writeFigure(path, now->state, options, figure);
+        return writeMesh(path, exportMesh(now->state));
+      },
+      wake_);
+}
+
+void App::finishExport() {
+  const std::optional<Status> outcome = export_.finished();
+  if (!outcome) return;
+  ui_.exporting = false;
+  if (*outcome) {
+    ui_.message = "Wrote " + exportPath_ + ".";
+    return;
+  }
+  ui_.message.clear();
+  ui_.error = outcome->error();
+  ui_.dialog = Dialog::error;
+}
+
+}  // namespace triscope

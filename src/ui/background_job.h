@@ -1,0 +1,50 @@
+// One piece of work at a time, away from the window's thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/result.h"
+
+namespace triscope {
+
+class BackgroundJob {
+ public:
+  BackgroundJob() = default;
+  ~BackgroundJob() {
+    if (thread_.joinable()) thread_.join();
+  }
+  BackgroundJob(const BackgroundJob&) = delete;
+  BackgroundJob& operator=(const BackgroundJob&) = delete;
+
+  /// Must not be called while running(). `wake` is called from the other thread when `work` is done.
+  void start(std::function<Status()> work, std::function<void()> wake) {
+    if (thread_.joinable()) thread_.join();
+    done_ = false;
+    running_ = true;
+    thread_ = std::thread([this, work = std::move(work), wake = std::move(wake)] {
+      result_ = work();
+      done_ = true;
+      wake();
+    });
+  }
+  [[nodiscard]] bool running() const { return running_; }
+  /// The outcome, once, when there is one.
+  std::optional<Status> finished() {
+    if (!running_ || !done_) return std::nullopt;
+    thread_.join();
+    running_ = false;
+    return std::exchange(result_, std::nullopt);
+  }
+
+ private:
+  std::thread thread_;
+  std::atomic<bool> done_{false};
+  std::optional<Status> result_;
+  bool running_ = false;
+};
+
+}  // namespace triscope

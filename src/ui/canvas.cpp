@@ -1,0 +1,188 @@
+// The picture of the run, and the mouse on it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/density/quadtree.h"
+#include "render/legend_panel.h"
+#include "render/picture.h"
+#include "ui/imgui_canvas.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kPickReach = 8.0;   // pixels at 100 %
+constexpr float kClickSlack = 4.0f;  // a press that moves less is a click
+
+Point toPoint(ImVec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+/// The mouse relative to the canvas, in pixels.
+Point mouseOn(ImVec2 corner) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return toPoint({mouse.x - corner.x, mouse.y - corner.y});
+}
+
+bool draggedFar(const View& view) {
+  const float slack = view.px(static_cast<double>(kClickSlack));
+  return ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > slack * slack;
+}
+
+void zoomByWheel(const View& view, Orders& orders, Point mouse) {
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel == 0.0f) return;
+  const double factor = std::pow(1.2, static_cast<double>(wheel));
+  orders.emplace_back(zoomed(view.ui.camera, mouse, factor, view.scene.bounds));
+}
+
+void pan(const View& view, Orders& orders) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  if (delta.x != 0.0f || delta.y != 0.0f) orders.emplace_back(panned(view.ui.camera, toPoint(delta)));
+}
+
+/// A rectangle drawn with Shift held; on release it is what is shown.
+void boxZoom(const View& view, Orders& orders, ImVec2 corner, bool released) {
+  const ImVec2 from = ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left];
+  const ImVec2 to = ImGui::GetIO().MousePos;
+  const ImU32 color = toImU32(accentOf(view.theme()));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(from, to, (color & 0x00FFFFFFu) | 0x30000000u);
+  list.AddRect(from, to, color, 0.0f, ImDrawFlags_None, view.px(1.5));
+  if (!released) return;
+  Box box;
+  box.include(toWorld(view.ui.camera, toPoint({from.x - corner.x, from.y - corner.y})));
+  box.include(toWorld(view.ui.camera, toPoint({to.x - corner.x, to.y - corner.y})));
+  orders.emplace_back(order::Frame{box});
+}
+
+void click(const View& view, Orders& orders, Point mouse) {
+  if (view.now() == nullptr) return;
+  const double reach = kPickReach * view.ui.scale() / view.ui.camera.scale;
+  const bool cells = ImGui::GetIO().KeyCtrl;
+  orders.emplace_back(order::SelectElement{pick(view.now()->state, toWorld(view.ui.camera, mouse), reach, cells)});
+}
+
+void centreOn(const View& view, Orders& orders, Point mouse) {
+  Camera camera = view.ui.camera;
+  camera.centre = toWorld(camera, mouse);
+  orders.emplace_back(camera);
+}
+
+void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
+  if (!ImGui::BeginPopup("canvas menu")) return;
+  const ImVec2 at = ImGui::GetMousePosOnOpeningCurrentPopup();
+  const Point mouse = toPoint({at.x - corner.x, at.y - corner.y});
+  const Point world = toWorld(view.ui.camera, mouse);
+  if (view.now() != nullptr && ImGui::MenuItem("Select what is here")) click(view, orders, mouse);
+  note(view, "context.select");
+  const bool hasCells = view.now() != nullptr && !view.now()->state.tree.cells.empty();
+  if (ImGui::MenuItem("Select the quadtree cell here", "Ctrl+click", false, hasCells))
+    orders.emplace_back(order::SelectElement{pick(view.now()->state, world, 0.0, true)});
+  note(view, "context.cell", hasCells);
+  if (ImGui::MenuItem("Centre here", "double click")) centreOn(view, orders, mouse);
+  if (ImGui::MenuItem("Copy coordinates"))
+    ImGui::SetClipboardText(fmt::format("{:.17g}, {:.17g}", world.x, world.y).c_str());
+  ImGui::Separator();
+  if (ImGui::MenuItem("Fit", textOf(infoOf(Action::fit).chords[0]).c_str())) orders.emplace_back(Action::fit);
+  ImGui::EndPopup();
+}
+
+void mouse(const View& view, Orders& orders, ImVec2 corner) {
+  const Point at = mouseOn(corner);
+  if (ImGui::IsItemHovered()) zoomByWheel(view, orders, at);
+  const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
+  const bool held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const bool box = ImGui::GetIO().KeyShift;
+  if ((held || released) && draggedFar(view)) {
+    if (box)
+      boxZoom(view, orders, corner, released);
+    else if (held)
+      pan(view, orders);
+  } else if (released && !box) {
+    click(view, orders, at);
+  }
+  if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Middle)) pan(view, orders);
+  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) centreOn(view, orders, at);
+  if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("canvas menu");
+}
+
+void legend(const View& view, ImVec2 corner, ImVec2 size) {
+  if (!view.ui.look.legend || view.scene.legend.empty()) return;
+  const double scale = view.ui.scale();
+  const LegendSize needed = legendSize(view.scene.legend, scale);
+  const auto width = static_cast<float>(needed.width);
+  const auto height = static_cast<float>(needed.height);
+  const float pad = view.px(10);
+  // Where it would cover most of the picture, the picture matters more.
+  if (width + 4 * pad > 0.6f * size.x || height + 4 * pad > size.y) return;
+  const ImVec2 lo{corner.x + size.x - width - 3 * pad, corner.y + pad};
+  const ImVec2 hi{lo.x + width + 2 * pad, lo.y + height + 2 * pad};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(lo, hi, toImU32(faded(view.theme().surface, 0.93)), view.px(6));
+  list.AddRect(lo, hi, ImGui::GetColorU32(ImGuiCol_Border), view.px(6));
+  ImGuiCanvas canvas(list, view.fonts);
+  drawLegend(view.scene.legend, toPoint({lo.x + pad, lo.y + pad}), scale, view.theme(), canvas);
+}
+
+void labels(const View& view, ImVec2 corner) {
+  ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
+  const double scale = view.ui.scale();
+  for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale)) {
+    const Label& label = *placed.label;
+    canvas.text(toPoint(corner) + placed.at, label.text,
+                {static_cast<double>(label.size) * scale, Weight::regular, label.color, label.halo, Anchor::left});
+  }
+}
+
+/// How far a long run is, over the dimmed old mesh, with a way out.
+void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
+  const Progress& p = view.session.progress();
+  if (!view.session.busy() || p.activity == Activity::playing || p.seconds < 0.25) return;
+  const float width = std::min(view.px(420), size.x - view.px(24));
+  ImGui::SetNextWindowPos({corner.x + 0.5f * size.x, corner.y + view.px(16)}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowSize({width, 0.0f});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoNav;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, view.px(8));
+  if (ImGui::Begin("##progress", nullptr, kFlags)) {
+    const std::string text = fmt::format("{}: {} triangles{}", infoOf(p.stage).name, p.triangles,
+                                         p.estimated > 0.0 ? fmt::format(" of about {:.0f}", p.estimated) : "");
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::ProgressBar(static_cast<float>(p.fraction), {-view.px(90), 0.0f});
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", {-1.0f, 0.0f})) orders.emplace_back(Action::cancel);
+    note(view, "cancel");
+    tip(view, view.session.stale() ? "Keep the mesh and the parameters from before." : "Stop here.");
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace
+
+void drawCanvas(const View& view, Orders& orders) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::GetContentRegionAvail();
+  if (size.x < 1.0f || size.y < 1.0f) return;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  if (view.canvasTexture != 0) {
+    // Texture rows run upwards.
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(view.canvasTexture));
+    list.AddImage(id, corner, {corner.x + size.x, corner.y + size.y}, {0, 1}, {1, 0});
+  }
+  ImGui::InvisibleButton("canvas", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  note(view, "canvas");
+  list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
+  mouse(view, orders, corner);
+  labels(view, corner);
+  legend(view, corner, size);
+  list.PopClipRect();
+  contextMenu(view, orders, corner);
+  progress(view, orders, corner, size);
+}
+
+}  // namespace triscope

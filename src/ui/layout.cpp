@@ -1,0 +1,91 @@
+#include "ui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kToolbar = 44.0;  // heights and widths in pixels at 100 %
+constexpr double kCaption = 78.0;
+constexpr double kStatus = 30.0;
+constexpr double kSplitter = 6.0;
+constexpr double kNarrowestSide = 180.0;
+constexpr double kNarrowestCanvas = 200.0;
+
+void splitter(const View& view, Orders& orders, const char* name, const Region& region, double Appearance::* width,
+              double sign) {
+  if (!beginRegion(name, region, {0, 0}, ImGuiWindowFlags_NoBackground)) {
+    ImGui::End();
+    return;
+  }
+  ImGui::InvisibleButton("grip", region.size);
+  note(view, name);
+  const bool active = ImGui::IsItemActive();
+  if (active || ImGui::IsItemHovered()) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    const float x = region.at.x + 0.5f * region.size.x;
+    ImGui::GetWindowDrawList()->AddLine({x, region.at.y}, {x, region.at.y + region.size.y},
+                                        ImGui::GetColorU32(ImGuiCol_SeparatorActive), view.px(2));
+  }
+  if (active && ImGui::GetIO().MouseDelta.x != 0.0f) {
+    Appearance look = view.ui.look;
+    const double moved = sign * static_cast<double>(ImGui::GetIO().MouseDelta.x) / view.ui.scale();
+    look.*width = std::clamp(look.*width + moved, kNarrowestSide, 900.0);
+    orders.emplace_back(look);
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+Layout layoutOf(ImVec2 window, float top, const UiState& ui) {
+  const auto px = [&ui](double at100) { return std::round(static_cast<float>(at100 * ui.scale())); };
+  const float splitter = px(kSplitter);
+  float left = px(ui.look.leftWidth);
+  float right = px(ui.look.rightWidth);
+  const float room = window.x - 2 * splitter - px(kNarrowestCanvas);
+  if (left + right > room) {
+    const float shrink = std::max(0.0f, room) / (left + right);
+    left = std::floor(left * shrink);
+    right = std::floor(right * shrink);
+  }
+  const float y = top + px(kToolbar);
+  const float bottom = window.y - px(kStatus);
+  const float height = std::max(1.0f, bottom - y);
+  const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
+  const float caption = std::min(px(kCaption), 0.5f * height);
+  const float x = left + splitter;
+  return {
+      .toolbar = {{0, top}, {window.x, px(kToolbar)}},
+      .left = {{0, y}, {left, height}},
+      .right = {{x + middle + splitter, y}, {right, height}},
+      .canvas = {{x, y}, {middle, height - caption}},
+      .caption = {{x, bottom - caption}, {middle, caption}},
+      .status = {{0, bottom}, {window.x, px(kStatus)}},
+      .leftSplitter = {{left, y}, {splitter, height}},
+      .rightSplitter = {{x + middle, y}, {splitter, height}},
+  };
+}
+
+bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags) {
+  ImGui::SetNextWindowPos(region.at);
+  ImGui::SetNextWindowSize({std::max(1.0f, region.size.x), std::max(1.0f, region.size.y)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  const bool open = ImGui::Begin(name, nullptr,
+                                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | flags);
+  ImGui::PopStyleVar(3);
+  return open;
+}
+
+void drawSplitters(const View& view, Orders& orders, const Layout& layout) {
+  splitter(view, orders, "splitter.left", layout.leftSplitter, &Appearance::leftWidth, 1.0);
+  splitter(view, orders, "splitter.right", layout.rightSplitter, &Appearance::rightWidth, -1.0);
+}
+
+}  // namespace triscope

@@ -1,0 +1,49 @@
+// What panels hand back: nothing that they draw changes anything by itself.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/session.h"
+#include "render/camera.h"
+#include "render/pick.h"
+#include "render/view_options.h"
+#include "ui/action.h"
+
+namespace triscope {
+
+/// How the window looks, apart from what it shows. Kept between runs.
+struct Appearance {
+  ThemeKind theme = ThemeKind::light;
+  double scale = 0.0;        // of text and controls: 0.75 … 3; 0: the monitor's
+  double leftWidth = 300.0;  // pixels at 100 %
+  double rightWidth = 300.0;
+  bool legend = true;
+  friend bool operator==(const Appearance&, const Appearance&) = default;
+};
+
+namespace order {
+struct SelectElement {
+  Pick pick;  // kind none: nothing
+};
+struct Frame {
+  Box box;  // to be shown whole
+};
+struct SetSpeed {
+  double decisionsPerSecond = 60.0;
+};
+struct ExportTo {
+  std::string path;  // what is written goes by its extension
+};
+struct ShowTab {
+  std::string name;
+};
+struct CloseDialog {};
+}  // namespace order
+
+using Order = std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame,
+                           order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog>;
+using Orders = std::vector<Order>;
+
+}  // namespace triscope

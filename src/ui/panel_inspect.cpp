@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/caption.h"
+#include "core/density/quadtree.h"
+#include "render/number.h"
+#include "render/star.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+std::string place(Point p) { return fmt::format("{}, {}", compact(p.x, 5), compact(p.y, 5)); }
+
+std::string degrees(double angle) { return fmt::format("{:.1f}°", angle); }
+
+std::string_view nameOf(VertexKind kind) {
+  switch (kind) {
+    case VertexKind::helper:
+      return "corner of the box around everything";
+    case VertexKind::kept:
+      return "input point, never moved";
+    case VertexKind::boundary:
+      return "boundary point";
+    case VertexKind::split:
+      return "boundary point from a split";
+    case VertexKind::front1:
+      return "first front";
+    case VertexKind::front2:
+      return "second front";
+    case VertexKind::steiner:
+      return "inserted by steps 1 to 5";
+    case VertexKind::removed:
+      return "removed";
+  }
+  return "";
+}
+
+void selectTriangle(Orders& orders, const Mesh& mesh, std::int32_t slot) {
+  orders.emplace_back(order::SelectElement{{{Selection::Kind::triangle, slot, -1}, mesh.ids[at(slot)], 0.0}});
+}
+
+void selectVertex(Orders& orders, std::int32_t vertex) {
+  orders.emplace_back(
+      order::SelectElement{{{Selection::Kind::vertex, vertex, -1}, static_cast<std::uint32_t>(vertex), 0.0}});
+}
+
+/// A link on the line begun.
+void linkTo(const View& view, Orders& orders, std::int32_t vertex) {
+  ImGui::SameLine();
+  ImGui::PushID(vertex);
+  if (link(view, std::to_string(vertex))) selectVertex(orders, vertex);
+  ImGui::PopID();
+}
+
+/// The event that made a triangle or vertex, told in words.
+void birth(const View& view, const char* what, bool (*made)(const Event&, std::uint32_t), std::uint32_t id) {
+  const std::vector<Event>& events = view.session.events();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    if (!made(events[i], id)) continue;
+    heading(view, what);
+    muted(view, fmt::format("Event {}. {}", grouped(i + 1), captionOf(events[i])));
+    return;
+  }
+}
+
+bool madeTriangle(const Event& e, std::uint32_t id) {
+  const bool makesTriangles = e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split ||
+                              e.kind == EventKind::edge_flipped || e.kind == EventKind::vertex_removed;
+  return makesTriangles && e.createdCount > 0 && id >= e.created && id - e.created < e.createdCount;
+}
+
+bool madeVertex(const Event& e, std::uint32_t id) {
+  return (e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split) && e.vertex == id;
+}
+
+void inspectTriangle(const View& view, Orders& orders, const MeshState& state, std::int32_t slot) {
+  const Mesh& mesh = state.mesh;
+  const Triangle& t = mesh.triangles[at(slot)];
+  const auto corner = [&](int i) { return mesh.points[at(t.v[static_cast<std::size_t>(i)])]; };
+  const TriangleQuality q = qualityOf(corner(0), corner(1), corner(2));
+  const Color bad = view.theme().worstAspect;
+  const auto judged = [&](const char* label, const std::string& value, bool good) {
+    figure(view, label, value, good ? view.theme().text : bad);
+  };
+  judged("aspect ratio R/r", fmt::format("{:.3f}", q.aspect), q.aspect < Bounds::aspect);
+  judged("edge ratio", fmt::format("{:.3f}", q.edgeRatio), q.edgeRatio < Bounds::edgeRatio);
+  judged("smallest angle", degrees(q.minAngle), q.minAngle > Bounds::minAngle);
+  judged("largest angle", degrees(q.maxAngle), q.maxAngle < Bounds::maxAngle);
+  figure(view, "shape", q.obtuse ? "obtuse" : "not obtuse", q.obtuse ? bad : view.theme().text);
+  figure(view, "circumradius R", compact(q.circumradius, 4));
+  figure(view, "inradius r", compact(q.inradius, 4));
+  figure(view, "shortest edge e", compact(q.shortest, 4));
+  figure(view, "longest edge", compact(q.longest, 4));
+  figure(view, "area", compact(std::fabs(q.area), 4));
+
+  ImGui::TextDisabled("vertices");
+  for (const std::int32_t v : t.v) linkTo(view, orders, v);
+  heading(view, "Neighbours and area ratios");
+  for (const std::int32_t half : t.adj) {
+    if (half < 0) {
+      muted(view, "boundary");
+      continue;
+    }
+    const std::int32_t other = half / 3;
+    const Triangle& n = mesh.triangles[at(other)];
+    const double area = std::fabs(0.5 * cross(mesh.points[at(n.v[1])] - mesh.points[at(n.v[0])],
+                                              mesh.points[at(n.v[2])] - mesh.points[at(n.v[0])]));
+    const double mine = std::fabs(q.area);
+    const double ratio = area > mine ? area / mine : mine / area;
+    ImGui::PushID(other);
+    if (link(view, fmt::format("triangle {}", mesh.ids[at(other)]))) selectTriangle(orders, mesh, other);
+    ImGui::PopID();
+    const std::string value = fmt::format("{:.3f}", ratio);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
+    ImGui::TextColored(toImVec4(ratio < Bounds::areaRatio ? view.theme().text : bad), "%s", value.c_str());
+  }
+  birth(view, "Why it is here", madeTriangle, mesh.ids[at(slot)]);
+}
+
+void inspectVertex(const View& view, Orders& orders, const MeshState& state, std::int32_t vertex) {
+  const Mesh& mesh = state.mesh;
+  figure(view, "kind", std::string(nameOf(mesh.kinds[at(vertex)])));
+  figure(view, "position", place(mesh.points[at(vertex)]));
+  if (!state.tree.cells.empty()) {
+    figure(view, "edge length h wanted here", compact(edgeLengthAt(state.tree, mesh.points[at(vertex)]), 4));
+    figure(view, "density rank here", std::to_string(densityRankAt(state.tree, mesh.points[at(vertex)])));
+  }
+  if (mesh.vertexTriangle[at(vertex)] < 0) return;
+  Star star;
+  starOf(mesh, vertex, star);
+  const std::vector<std::int32_t> slots = slotsOf(star);
+  figure(view, "triangles around it", std::to_string(slots.size()));
+  for (const std::int32_t slot : slots) {
+    ImGui::PushID(slot);
+    if (link(view, fmt::format("triangle {}", mesh.ids[at(slot)]))) selectTriangle(orders, mesh, slot);
+    ImGui::PopID();
+  }
+  birth(view, "Why it is here", madeVertex, static_cast<std::uint32_t>(vertex));
+}
+
+void inspectEdge(const View& view, Orders& orders, const MeshState& state, const Selection& selection) {
+  const Mesh& mesh = state.mesh;
+  const Triangle& t = mesh.triangles[at(selection.index)];
+  const std::int32_t a = t.v[at((selection.edge + 1) % 3)];
+  const std::int32_t b = t.v[at((selection.edge + 2) % 3)];
+  figure(view, "length", compact(distance(mesh.points[at(a)], mesh.points[at(b)]), 4));
+  const bool constrained = (mesh.flags[at(selection.index)] & (kConstrained0 << selection.edge)) != 0;
+  figure(view, "kind", constrained ? "on the boundary" : "inside");
+  ImGui::TextDisabled("between vertices");
+  linkTo(view, orders, a);
+  linkTo(view, orders, b);
+  for (const std::int32_t slot :
+       {selection.index, t.adj[at(selection.edge)] < 0 ? -1 : t.adj[at(selection.edge)] / 3}) {
+    if (slot < 0) continue;
+    ImGui::PushID(slot);
+    if (link(view, fmt::format("triangle {}", mesh.ids[at(slot)]))) selectTriangle(orders, mesh, slot);
+    ImGui::PopID();
+  }
+}
+
+void inspectCell(const View& view, const MeshState& state, std::int32_t index) {
+  const Cell& cell = state.tree.cells[at(index)];
+  figure(view, "cell rank j", std::to_string(cell.rank));
+  figure(view, "side", compact(state.tree.side(cell), 4));
+  figure(view, "density rank i", std::to_string(cell.density));
+  figure(view, "edge length h", compact(state.minEdge * rankLength(cell.density), 4));
+  figure(view, "type", std::string(name(cell.type)));
+  figure(view, "triangles by Table 1", compact(trianglesInCell(cell.rank, cell.density)));
+  const Point corner = state.tree.corner(cell);
+  figure(view, "lower left corner", place(corner));
+}
+
+std::string titleOf(const Pick& pick) {
+  switch (pick.selection.kind) {
+    case Selection::Kind::none:
+      return "";
+    case Selection::Kind::vertex:
+      return fmt::format("Vertex {}", pick.id);
+    case Selection::Kind::edge:
+      return fmt::format("Edge of triangle {}", pick.id);
+    case Selection::Kind::triangle:
+      return fmt::format("Triangle {}", pick.id);
+    case Selection::Kind::cell:
+      return fmt::format("Cell {}", pick.id);
+  }
+  return "";
+}
+
+}  // namespace
+
+void drawInspect(const View& view, Orders& orders) {
+  drawMeshFigures(view, orders);
+  const Pick& pick = view.ui.selected;
+  ImGui::Dummy({0, view.px(4)});
+  if (pick.selection.kind == Selection::Kind::none || view.now() == nullptr) {
+    heading(view, "Nothing is selected");
+    muted(view,
+          "Click a vertex, an edge, a triangle or, where the quadtree is shown alone, a cell. Ctrl+click picks the "
+          "cell below.");
+    return;
+  }
+  ImGui::PushFont(view.fonts.title);
+  ImGui::TextUnformatted(titleOf(pick).c_str());
+  ImGui::PopFont();
+  note(view, "inspect.title");
+  if (view.ui.selectedGone) {
+    muted(view, "It is not part of the mesh at this moment.");
+    return;
+  }
+  const MeshState& state = view.now()->state;
+  switch (pick.selection.kind) {
+    case Selection::Kind::triangle:
+      inspectTriangle(view, orders, state, pick.selection.index);
+      break;
+    case Selection::Kind::vertex:
+      inspectVertex(view, orders, state, pick.selection.index);
+      break;
+    case Selection::Kind::edge:
+      inspectEdge(view, orders, state, pick.selection);
+      break;
+    case Selection::Kind::cell:
+      inspectCell(view, state, pick.selection.index);
+      break;
+    case Selection::Kind::none:
+      break;
+  }
+}
+
+}  // namespace triscope

@@ -1,0 +1,80 @@
+// The figures of the mesh as a whole, held against the paper's bounds.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "render/number.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+struct Row {
+  const char* label;
+  std::string value;
+  std::string bound;
+  bool good;
+  std::optional<Action> show;
+};
+
+}  // namespace
+
+void drawMeshFigures(const View& view, Orders& orders) {
+  heading(view, "Mesh");
+  const Snapshot* const now = view.now();
+  if (now == nullptr || now->quality.triangles == 0) {
+    muted(view, "There are no triangles yet.");
+    if (now != nullptr && now->state.estimatedTriangles > 0.0)
+      figure(view, "estimate by Table 1", grouped(static_cast<std::uint64_t>(now->state.estimatedTriangles + 0.5)));
+    return;
+  }
+  const Quality& q = now->quality;
+  figure(view, "triangles", grouped(q.triangles));
+  if (now->state.estimatedTriangles > 0.0)
+    figure(view, "estimate by Table 1", grouped(static_cast<std::uint64_t>(now->state.estimatedTriangles + 0.5)));
+  figure(view, "vertices", grouped(q.vertices));
+  figure(view, "of these on the boundary", grouped(q.boundaryVertices));
+  figure(view, "obtuse",
+         fmt::format("{}  ({:.1f} %)", grouped(q.obtuse),
+                     100.0 * static_cast<double>(q.obtuse) / static_cast<double>(q.triangles)));
+  figure(view, "mean aspect ratio", fmt::format("{:.3f}", q.aspectMean));
+  figure(view, "shortest edge", compact(q.minEdge, 4));
+
+  const std::array<Row, 5> rows{{
+      {"aspect ratio", fmt::format("{:.2f}", q.aspectMax), "< 4.31", q.aspectMax < Bounds::aspect,
+       Action::worst_aspect},
+      {"area ratio", fmt::format("{:.2f}", q.areaRatioMax), "< 3", q.areaRatioMax < Bounds::areaRatio,
+       Action::worst_area},
+      {"edge ratio", fmt::format("{:.2f}", q.edgeRatioMax), "< 2", q.edgeRatioMax < Bounds::edgeRatio,
+       Action::worst_edge},
+      {"smallest angle", fmt::format("{:.1f}°", q.minAngle), "> 30°", q.minAngle > Bounds::minAngle, {}},
+      {"largest angle", fmt::format("{:.1f}°", q.maxAngle), "< 120°", q.maxAngle < Bounds::maxAngle, {}},
+  }};
+  if (!ImGui::BeginTable("bounds", 4, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) return;
+  ImGui::TableSetupColumn("worst of", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("bound", ImGuiTableColumnFlags_WidthFixed);
+  ImGui::TableSetupColumn("met", ImGuiTableColumnFlags_WidthFixed);
+  for (const Row& row : rows) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    if (row.show) {
+      if (link(view, row.label)) orders.emplace_back(*row.show);
+      tip(view, "Frame and select the triangle that has it.");
+    } else {
+      ImGui::TextUnformatted(row.label);
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(row.value.c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", row.bound.c_str());
+    ImGui::TableNextColumn();
+    const Color sign = row.good ? view.theme().front1 : view.theme().worstAspect;
+    ImGui::TextColored(toImVec4(sign), "%s", row.good ? "\xE2\x9C\x93" : "\xE2\x9C\x97");
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace triscope

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "render/number.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+bool outsidePaper(const SettingInfo& info, double value) {
+  return info.paperLow != info.paperHigh && (value < info.paperLow || value > info.paperHigh);
+}
+
+bool isLength(const SettingInfo& info) { return info.unit == "length"; }
+
+/// Range for a control: lengths are bound to the domain, since theirs is open.
+struct Span {
+  double low;
+  double high;
+};
+
+Span spanOf(const SettingInfo& info, const MeshState* state) {
+  if (!isLength(info) || state == nullptr) return {info.lowest, std::min(info.highest, 1e9)};
+  const Box& box = state->domain->bounds;
+  const double extent = std::max(box.width(), box.height());
+  return {extent * 1e-5, extent * 0.25};
+}
+
+/// The control for a number; true when the value was changed.
+bool number(const SettingInfo& info, double& value, Span span) {
+  if (std::holds_alternative<int Settings::*>(info.member)) {
+    auto whole = static_cast<int>(value);
+    const bool changed = ImGui::DragInt("##value", &whole, 0.3f, static_cast<int>(span.low),
+                                        static_cast<int>(span.high), "%d", ImGuiSliderFlags_AlwaysClamp);
+    value = whole;
+    return changed;
+  }
+  if (isLength(info)) {
+    // A hundredth of itself for each pixel: the same feel at every size of domain.
+    const auto pace = static_cast<float>(std::max(value, span.low) * 0.01);
+    return ImGui::DragScalar("##value", ImGuiDataType_Double, &value, pace, &span.low, &span.high, "%.4g",
+                             ImGuiSliderFlags_AlwaysClamp);
+  }
+  return ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &span.low, &span.high, "%.3g",
+                             ImGuiSliderFlags_AlwaysClamp);
+}
+
+std::string helpOf(const SettingInfo& info, Span span) {
+  std::string text(info.help);
+  text += fmt::format("\nFrom {} to {}, default {}.", compact(span.low), compact(span.high),
+                      compact(settingValue(Settings{}, info)));
+  if (info.paperLow != info.paperHigh)
+    text += fmt::format(" The paper takes {} to {}.", compact(info.paperLow), compact(info.paperHigh));
+  text += fmt::format("\nKey in files and on the command line: {}. Ctrl+click to type a value.", info.key);
+  return text;
+}
+
+void row(const View& view, Orders& orders, const SettingInfo& info) {
+  const MeshState* const state = view.now() != nullptr ? &view.now()->state : nullptr;
+  Settings settings = view.session.settings();
+  const double before = settingValue(settings, info);
+  const double standard = settingValue(Settings{}, info);
+  const std::string name = "param." + std::string(info.key);
+  ImGui::PushID(info.key.data());
+  bool changed = false;
+  double value = before;
+  const Span span = spanOf(info, state);
+
+  if (std::holds_alternative<bool Settings::*>(info.member)) {
+    bool on = before != 0.0;
+    changed = ImGui::Checkbox(std::string(info.label).c_str(), &on);
+    value = on ? 1.0 : 0.0;
+    note(view, name);
+    tip(view, helpOf(info, {0.0, 1.0}));
+  } else {
+    const std::string label =
+        info.symbol.empty() ? std::string(info.label) : fmt::format("{}  {}", info.symbol, info.label);
+    muted(view, label);
+    const bool automatic = isLength(info) && before == 0.0;
+    if (automatic && state != nullptr) value = state->minEdge;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - view.px(info.unit.empty() ? 34 : 86));
+    changed = number(info, value, span);
+    note(view, name);
+    tip(view, helpOf(info, span));
+    const std::string unit = automatic ? "auto" : std::string(info.unit);
+    if (!unit.empty()) {
+      ImGui::SameLine();
+      ImGui::TextUnformatted(unit.c_str());
+    }
+  }
+  if (before != standard) {
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - view.px(26));
+    if (ImGui::SmallButton("\xE2\x86\xBA")) {
+      changed = true;
+      value = standard;
+    }
+    note(view, name + ".reset");
+    tip(view, "Back to the default.");
+  }
+  if (outsidePaper(info, before)) {
+    ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(
+        fmt::format("outside the paper's range, {} to {}", compact(info.paperLow), compact(info.paperHigh)).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+  }
+  if (changed && value != before && setSetting(settings, info, value)) orders.emplace_back(command::Change{settings});
+  ImGui::PopID();
+}
+
+/// The run as it could be repeated without a window.
+std::string commandLine(const View& view) {
+  const Domain& domain = *view.now()->state.domain;
+  std::string text =
+      fmt::format("triscope mesh '{}' -o mesh.msh", domain.file.empty() ? domain.name + ".json" : domain.file);
+  const Settings standard;
+  for (const SettingInfo& info : settingTable()) {
+    const double value = settingValue(view.session.settings(), info);
+    if (value != settingValue(standard, info)) text += fmt::format(" --set {}={}", info.key, value);
+  }
+  return text;
+}
+
+}  // namespace
+
+void drawParams(const View& view, Orders& orders) {
+  if (view.now() != nullptr) {
+    const MeshState& state = view.now()->state;
+    muted(view, fmt::format("\xCE\x94x in force is {}, {}.", compact(state.minEdge, 4),
+                            state.minEdgeDerived                  ? "derived from the geometry"
+                            : view.session.settings().minEdge > 0 ? "as set here"
+                                                                  : "as the domain says"));
+  }
+  bool refineHeading = false;
+  heading(view, "Density and insertion");
+  for (const SettingInfo& info : settingTable()) {
+    if (!refineHeading && info.firstStage >= Stage::refine) {
+      refineHeading = true;
+      heading(view, "Step 6: local refinements");
+    }
+    row(view, orders, info);
+  }
+  ImGui::Dummy({0, view.px(4)});
+  const Settings standard;
+  const bool same = view.session.settings() == standard;
+  ImGui::BeginDisabled(same);
+  if (ImGui::Button("Reset all")) orders.emplace_back(command::Change{standard});
+  ImGui::EndDisabled();
+  note(view, "param.reset all", !same);
+  tip(view, same ? "Every parameter has its default already." : "Every parameter back to its default.");
+  ImGui::SameLine();
+  const bool ready = view.now() != nullptr;
+  ImGui::BeginDisabled(!ready);
+  if (ImGui::Button("Copy as command")) ImGui::SetClipboardText(commandLine(view).c_str());
+  ImGui::EndDisabled();
+  note(view, "param.copy", ready);
+  tip(view, ready ? commandLine(view) : "No domain is open.");
+}
+
+}  // namespace triscope

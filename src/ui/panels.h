@@ -1,0 +1,35 @@
+// The panels: each draws one thing from the view and returns orders. The table is what the window goes through.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "ui/view.h"
+
+namespace triscope {
+
+enum class Side : std::uint8_t { left, right };
+
+struct PanelInfo {
+  const char* name;  // on its tab
+  Side side;
+  void (*draw)(const View&, Orders&);
+};
+std::span<const PanelInfo> panels();
+
+void drawLayers(const View& view, Orders& orders);
+void drawParams(const View& view, Orders& orders);
+void drawStages(const View& view, Orders& orders);
+void drawInspect(const View& view, Orders& orders);
+void drawMeshFigures(const View& view, Orders& orders);
+
+// Fixed regions of the window; each fills the current Dear ImGui window.
+void drawMenuBar(const View& view, Orders& orders);
+void drawToolbar(const View& view, Orders& orders);
+void drawCanvas(const View& view, Orders& orders);
+void drawCaption(const View& view, Orders& orders);
+/// The sentence that the caption shows.
+std::string captionNow(const View& view);
+void drawStatusBar(const View& view, Orders& orders);
+
+}  // namespace triscope

@@ -1,0 +1,143 @@
+#include "ui/state_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/io/atomic_file.h"
+#include "core/io/json_text.h"
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+/// A JSON object being written.
+class Object {
+ public:
+  Object& add(std::string_view key, const std::string& json) {
+    text_ += fmt::format("{}{}: {}", text_.empty() ? "" : ",\n", jsonText(key), json);
+    return *this;
+  }
+  Object& text(std::string_view key, std::string_view value) { return add(key, jsonText(value)); }
+  Object& number(std::string_view key, double value) { return add(key, jsonNumber(value)); }
+  Object& flag(std::string_view key, bool value) { return add(key, value ? "true" : "false"); }
+  [[nodiscard]] std::string str() const { return "{" + text_ + "}"; }
+
+ private:
+  std::string text_;
+};
+
+constexpr std::array<std::string_view, 4> kActivities{"idle", "stepping", "playing", "meshing"};
+constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
+constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
+constexpr std::array<std::string_view, 6> kDialogs{"none", "open", "export", "error", "help", "about"};
+
+template <class Enum, std::size_t N>
+std::string_view word(const std::array<std::string_view, N>& words, Enum value) {
+  return words[static_cast<std::size_t>(value)];
+}
+
+std::string layers(const UiState& ui) {
+  Object out;
+  for (const ActionInfo& info : actions())
+    if (const std::optional<bool> on = isOn(info.id, ui); on && info.menu == Menu::view) out.flag(info.key, *on);
+  out.number("fill", static_cast<double>(ui.options.fill));
+  return out.str();
+}
+
+std::string figures(const Quality& q) {
+  return Object()
+      .number("vertices", static_cast<double>(q.vertices))
+      .number("boundary_vertices", static_cast<double>(q.boundaryVertices))
+      .number("triangles", static_cast<double>(q.triangles))
+      .number("obtuse", static_cast<double>(q.obtuse))
+      .number("aspect_ratio_max", q.aspectMax)
+      .number("area_ratio_max", q.areaRatioMax)
+      .number("edge_ratio_max", q.edgeRatioMax)
+      .number("min_angle_deg", q.minAngle)
+      .number("max_angle_deg", q.maxAngle)
+      .flag("within_bounds", q.withinBounds())
+      .str();
+}
+
+std::string settings(const Settings& values) {
+  Object out;
+  for (const SettingInfo& info : settingTable()) out.number(info.key, settingValue(values, info));
+  return out.str();
+}
+
+std::string widgets(const std::vector<WidgetRect>& all) {
+  Object out;
+  for (const WidgetRect& w : all)
+    out.add(w.name, fmt::format("[{:.0f}, {:.0f}, {:.0f}, {:.0f}, {}]", w.lo.x, w.lo.y, w.hi.x - w.lo.x,
+                                w.hi.y - w.lo.y, w.enabled ? "true" : "false"));
+  return out.str();
+}
+
+std::string selection(const UiState& ui) {
+  return Object()
+      .text("kind", word(kSelections, ui.selected.selection.kind))
+      .number("index", ui.selected.selection.index)
+      .number("id", ui.selected.id == kNoId ? -1.0 : static_cast<double>(ui.selected.id))
+      .flag("gone", ui.selectedGone)
+      .str();
+}
+
+std::string color(Color c) { return fmt::format("[{}, {}, {}]", c.r, c.g, c.b); }
+
+}  // namespace
+
+std::string describeWindow(const View& view, const std::string& caption) {
+  const UiState& ui = view.ui;
+  Object out;
+  if (const Snapshot* const now = view.now(); now != nullptr) {
+    out.text("stage", infoOf(now->state.stage).key)
+        .number("tick", static_cast<double>(now->state.tick))
+        .number("round", now->state.round)
+        .text("domain", now->state.domain->name)
+        .number("events", static_cast<double>(view.session.events().size()))
+        .flag("failed", now->state.failed)
+        .number("min_edge", now->state.minEdge)
+        .add("hash", fmt::format("\"{:016x}\"", hashOf(now->state)))
+        .add("figures", figures(now->quality));
+  }
+  out.flag("stale", view.session.stale())
+      .text("activity", word(kActivities, view.session.progress().activity))
+      .add("settings", settings(view.session.settings()))
+      .text("caption", caption)
+      .text("message", ui.message)
+      .text("error", ui.error ? describe(*ui.error) : "")
+      .text("dialog", word(kDialogs, ui.dialog))
+      .text("tab", ui.tab)
+      .text("theme", word(kThemes, ui.look.theme))
+      .number("scale", ui.scale())
+      .number("speed", ui.speed)
+      .add("camera", Object()
+                         .number("x", ui.camera.centre.x)
+                         .number("y", ui.camera.centre.y)
+                         .number("scale", ui.camera.scale)
+                         .number("width", ui.camera.width)
+                         .number("height", ui.camera.height)
+                         .str())
+      .add("layers", layers(ui))
+      .add("selection", selection(ui))
+      .add("colors", Object()
+                         .add("background", color(view.theme().background))
+                         .add("surface", color(view.theme().surface))
+                         .add("selection", color(view.theme().selection))
+                         .add("wire", color(view.theme().wire))
+                         .str());
+  if (view.widgets != nullptr) out.add("widgets", widgets(*view.widgets));
+  return out.str();
+}
+
+void StateFile::update(const std::string& text, std::uint64_t frame) {
+  if (!wanted() || text == last_) return;
+  last_ = text;
+  Result<AtomicFile> file = AtomicFile::create(path_);
+  if (!file) return;
+  const std::string whole = fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame);
+  if (file->write(whole)) (void)file->commit();
+}
+
+}  // namespace triscope

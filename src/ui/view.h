@@ -1,0 +1,69 @@
+// What a panel may look at while it draws. Nothing here can be changed through it; a panel returns orders.
+#pragma once
+
+#include <imgui.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session.h"
+#include "render/camera.h"
+#include "render/pick.h"
+#include "render/scene.h"
+#include "render/view_options.h"
+#include "ui/fonts.h"
+#include "ui/order.h"
+
+namespace triscope {
+
+enum class Dialog : std::uint8_t { none, open, export_to, error, help, about };
+
+/// Where a widget was drawn last, for tests that press real buttons.
+struct WidgetRect {
+  std::string name;
+  ImVec2 lo;
+  ImVec2 hi;
+  bool enabled = true;
+};
+
+/// Everything about the window that is not the run itself.
+struct UiState {
+  ViewOptions options;
+  Camera camera;
+  Appearance look;
+  double monitorScale = 1.0;
+  double speed = 60.0;  // decisions per second when playing
+  Pick selected;        // id says what is meant even when slots have been reused
+  bool selectedGone = false;
+  std::string tab = "Stages";  // on the left
+  Dialog dialog = Dialog::none;
+  std::optional<Error> error;   // shown by Dialog::error
+  std::string message;          // the last thing worth telling, in the status bar
+  std::optional<Point> cursor;  // world, while over the canvas
+  std::vector<Settings> undo;
+  std::vector<Settings> redo;
+  bool exporting = false;
+  double frameMs = 0.0;
+  [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }
+};
+
+struct View {
+  const Session& session;
+  const UiState& ui;
+  const Scene& scene;
+  const Fonts& fonts;
+  unsigned canvasTexture = 0;
+  std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
+  [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
+  [[nodiscard]] const Theme& theme() const { return scene.theme; }
+  /// Pixels for a length at 100 %.
+  [[nodiscard]] float px(double at100) const { return static_cast<float>(at100 * ui.scale()); }
+};
+
+/// Why an action cannot be done right now; empty when it can.
+std::string whyNot(Action action, const View& view);
+/// Whether a switch is on; nothing for actions that are no switches.
+std::optional<bool> isOn(Action action, const UiState& ui);
+
+}  // namespace triscope

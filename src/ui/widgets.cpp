@@ -1,0 +1,124 @@
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+#include "ui/style.h"
+
+namespace triscope {
+
+void note(const View& view, std::string_view name, bool enabled) {
+  if (view.widgets == nullptr) return;
+  view.widgets->push_back({std::string(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled});
+}
+
+void tip(const View& view, const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(view.px(340));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+namespace {
+
+std::string tooltipOf(const ActionInfo& info, const std::string& reason) {
+  std::string text(info.help);
+  if (const std::string keys = keysOf(info); !keys.empty()) text += "\nKeys: " + keys;
+  if (!reason.empty()) text += "\nNot now: " + reason;
+  return text;
+}
+
+}  // namespace
+
+void actionButton(const View& view, Orders& orders, Action action, Icon icon) {
+  const ActionInfo& info = infoOf(action);
+  const std::string reason = whyNot(action, view);
+  const std::string name(info.key);
+  ImGui::PushID(name.c_str());
+  ImGui::BeginDisabled(!reason.empty());
+  bool pressed = false;
+  if (icon == Icon::none) {
+    pressed = ImGui::Button(std::string(info.label).c_str());
+  } else {
+    const float side = ImGui::GetFrameHeight();
+    pressed = ImGui::Button("##icon", {side * 1.25f, side});
+    const ImVec2 lo = ImGui::GetItemRectMin();
+    const ImVec2 hi = ImGui::GetItemRectMax();
+    drawIcon(*ImGui::GetWindowDrawList(), icon, {0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, side * 0.56f,
+             ImGui::GetColorU32(ImGuiCol_Text));
+  }
+  ImGui::EndDisabled();
+  ImGui::PopID();
+  note(view, name, reason.empty());
+  tip(view, tooltipOf(info, reason));
+  if (pressed) orders.emplace_back(action);
+}
+
+void actionSwitch(const View& view, Orders& orders, Action action, const char* label) {
+  const ActionInfo& info = infoOf(action);
+  bool on = isOn(action, view.ui).value_or(false);
+  if (ImGui::Checkbox(label, &on)) orders.emplace_back(action);
+  note(view, std::string("layer.").append(info.key));
+  tip(view, tooltipOf(info, {}));
+}
+
+void figure(const View& view, const char* label, const std::string& value) {
+  figure(view, label, value, view.theme().text);
+}
+
+void figure(const View& view, const char* label, const std::string& value, Color valueColor) {
+  ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().textMuted));
+  ImGui::TextUnformatted(label);
+  ImGui::PopStyleColor();
+  const float width = ImGui::CalcTextSize(value.c_str()).x;
+  ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+  ImGui::PushStyleColor(ImGuiCol_Text, toImU32(valueColor));
+  ImGui::TextUnformatted(value.c_str());
+  ImGui::PopStyleColor();
+}
+
+void heading(const View& view, const char* text) {
+  ImGui::Dummy({0, view.px(2)});
+  ImGui::PushFont(view.fonts.strong);
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+}
+
+void muted(const View& view, const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().textMuted));
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+bool link(const View& view, const std::string& text) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  const bool pressed = ImGui::InvisibleButton(text.c_str(), {std::max(size.x, 1.0f), size.y});
+  const bool hovered = ImGui::IsItemHovered();
+  const ImU32 color = toImU32(accentOf(view.theme()));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(at, color, text.c_str());
+  if (hovered) {
+    list.AddLine({at.x, at.y + size.y}, {at.x + size.x, at.y + size.y}, color, view.px(1));
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+  return pressed;
+}
+
+bool beginDialog(const View& view, const char* title, double width) {
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const float wide = std::min(view.px(width), screen.x - view.px(24));
+  ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, screen.y - view.px(24)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {view.px(16), view.px(14)});
+  const bool open = ImGui::BeginPopupModal(
+      title, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  return open;
+}
+
+}  // namespace triscope

@@ -1,0 +1,35 @@
+// Small widgets that every panel uses: each says why it is disabled, and where it is when a test asks.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+#include "ui/icons.h"
+#include "ui/view.h"
+
+namespace triscope {
+
+/// Remembers the last item's place under this name.
+void note(const View& view, std::string_view name, bool enabled = true);
+/// Tooltip of the last item, shown for disabled ones too.
+void tip(const View& view, const std::string& text);
+
+/// A button for an action, with its icon, or its label where there is none; disabled with the reason as a tooltip.
+void actionButton(const View& view, Orders& orders, Action action, Icon icon);
+/// A check box for an action that is a switch.
+void actionSwitch(const View& view, Orders& orders, Action action, const char* label);
+
+/// "label        value" across the width that is left, the value at the right.
+void figure(const View& view, const char* label, const std::string& value);
+void figure(const View& view, const char* label, const std::string& value, Color valueColor);
+void heading(const View& view, const char* text);
+void muted(const View& view, const std::string& text);
+/// A word in the accent colour that can be clicked.
+bool link(const View& view, const std::string& text);
+
+/// Begins a modal dialog of this width (at 100 %), in the middle of the window. Call ImGui::EndPopup() when true.
+bool beginDialog(const View& view, const char* title, double width);
+
+}  // namespace triscope

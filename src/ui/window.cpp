@@ -1,0 +1,186 @@
+#include "ui/window.h"
+
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "core/result.h"
+#include "ui/app.h"
+#include "ui/screenshot.h"
+
+namespace triscope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Dear ImGui settles hovering, popups and sizes within this many frames of an event.
+constexpr int kFramesAfterEvent = 3;
+// While a run goes on: how long to sleep when nothing is published.
+constexpr double kRunningWait = 0.05;
+constexpr double kCaretWait = 0.25;
+
+struct LoopState {
+  App* app = nullptr;
+  int framesWanted = kFramesAfterEvent;
+};
+
+LoopState& stateOf(GLFWwindow* window) { return *static_cast<LoopState*>(glfwGetWindowUserPointer(window)); }
+
+void stir(GLFWwindow* window) { stateOf(window).framesWanted = kFramesAfterEvent; }
+
+// Our callbacks are installed before Dear ImGui's, which call them in turn.
+void installCallbacks(GLFWwindow* window) {
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
+    stir(w);
+    if (action != GLFW_RELEASE) stateOf(w).app->onKey(key, mods);
+  });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    stir(w);
+    if (count > 0) stateOf(w).app->onDrop(paths[0]);
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stir(w); });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { stir(w); });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stir(w); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stir(w); });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { stir(w); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { stir(w); });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { stir(w); });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { stir(w); });
+  glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float scale, float) {
+    stir(w);
+    stateOf(w).app->setMonitorScale(std::clamp(static_cast<double>(scale), 0.75, 3.0));
+  });
+}
+
+int fail(ExitCode code, const std::string& message) {
+  std::fprintf(stderr, "triscope: %s\n", message.c_str());
+  return static_cast<int>(code);
+}
+
+struct GlfwLibrary {
+  bool ready = glfwInit() == GLFW_TRUE;
+  ~GlfwLibrary() {
+    if (ready) glfwTerminate();
+  }
+};
+
+GLFWwindow* makeWindow() {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "triscope");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "triscope");
+  int x = 0, y = 0, width = 1440, height = 900;
+  if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
+    int areaWidth = 0, areaHeight = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &areaWidth, &areaHeight);
+    if (areaWidth > 0 && areaHeight > 0) {
+      width = std::min(width, areaWidth);
+      height = std::min(height, areaHeight);
+    }
+  }
+  GLFWwindow* const window = glfwCreateWindow(width, height, "Triscope", nullptr, nullptr);
+  if (window != nullptr) glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  return window;
+}
+
+/// Sleeps until something happens; a running method and a blinking caret make things happen by themselves.
+void waitForWork(const LoopState& loop) {
+  if (loop.framesWanted > 0)
+    glfwPollEvents();
+  else if (loop.app->animating())
+    glfwWaitEventsTimeout(kRunningWait);
+  else if (ImGui::GetIO().WantTextInput)
+    glfwWaitEventsTimeout(kCaretWait);
+  else
+    glfwWaitEvents();
+}
+
+void drawFrame(GLFWwindow* window, App& app) {
+  const auto start = Clock::now();
+  if (app.prepareFrame()) {
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+  }
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui_ImplGlfw_NewFrame();
+  ImGui::NewFrame();
+  app.frame();
+  ImGui::Render();
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window, &width, &height);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, width, height);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  glfwSwapBuffers(window);
+  app.finishFrame(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+}
+
+int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& options) {
+  int framesSettled = 0;
+  while (glfwWindowShouldClose(window) == GLFW_FALSE && !app.closing()) {
+    waitForWork(loop);
+    if (app.poll()) loop.framesWanted = std::max(loop.framesWanted, 1);
+    if (app.animating()) loop.framesWanted = std::max(loop.framesWanted, 1);
+    if (ImGui::GetIO().WantTextInput) loop.framesWanted = std::max(loop.framesWanted, 1);
+    if (!options.screenshot.empty()) loop.framesWanted = kFramesAfterEvent;
+    if (loop.framesWanted <= 0) continue;
+    --loop.framesWanted;
+    drawFrame(window, app);
+    if (options.screenshot.empty() || !app.settled() || ++framesSettled < 2 * kFramesAfterEvent) continue;
+    const Status saved = saveScreenshot(window, options.screenshot);
+    return saved ? 0 : fail(saved.error().code, describe(saved.error()));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options) {
+  glfwSetErrorCallback([](int, const char*) {});  // what matters is asked for below
+  const GlfwLibrary library;
+  if (!library.ready)
+    return fail(ExitCode::no_display, "no display can be opened; use the subcommands without one ('triscope --help')");
+  LoopState loop;
+  App app(options, [] { glfwPostEmptyEvent(); });
+  loop.app = &app;
+  const std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)> window(makeWindow(), &glfwDestroyWindow);
+  if (!window)
+    return fail(ExitCode::no_display, "no window with OpenGL 3.3 can be opened; is a graphics driver installed?");
+  glfwMakeContextCurrent(window.get());
+  if (gladLoadGL(glfwGetProcAddress) == 0) return fail(ExitCode::no_display, "OpenGL 3.3 cannot be loaded");
+  glfwSwapInterval(1);
+  glfwSetWindowUserPointer(window.get(), &loop);
+
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // nothing is dropped into the working directory
+  installCallbacks(window.get());
+  ImGui_ImplGlfw_InitForOpenGL(window.get(), true);
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+  float scale = 1.0f;
+  glfwGetWindowContentScale(window.get(), &scale, nullptr);
+  int code = 0;
+  if (const std::string complaint = app.start(std::clamp(static_cast<double>(scale), 0.75, 3.0)); !complaint.empty())
+    code = fail(ExitCode::internal, "a shader does not compile: " + complaint);
+  else
+    code = runLoop(window.get(), app, loop, options);
+  app.releaseGl();
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplGlfw_Shutdown();
+  ImGui::DestroyContext();
+  return code;
+}
+
+}  // namespace triscope
