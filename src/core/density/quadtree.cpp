@@ -101,14 +101,10 @@ void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int3
       s = (s / step + 1) * step;
     }
   };
-  visit(left, below);
   along(false, below);
-  visit(right, below);
   along(true, left);
   along(true, right);
-  visit(left, above);
   along(false, above);
-  visit(right, above);
 }
 
 std::int32_t leafAt(const Quadtree& tree, Point p) {

@@ -51,7 +51,7 @@ Quadtree rootOver(const Box& box, double minEdge);
 /// Gives a leaf four children that inherit its density as far as their rank allows. Returns the first.
 std::int32_t splitCell(Quadtree& tree, std::int32_t leaf);
 
-/// Leaves that touch the leaf's sides or corners, each once, in a fixed order.
+/// Leaves that share a side, or part of one, with the leaf, each once, in a fixed order.
 void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found);
 
 /// Leaf that holds p (points outside the root go to the nearest leaf).

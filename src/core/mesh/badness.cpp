@@ -71,6 +71,7 @@ Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
       if (across < 0) continue;
       const std::int32_t other = triangleOf(across);
       const double ratio = areaRatio(m.area, twiceArea(mesh, other));
+      badness.areaRatio = std::max(badness.areaRatio, ratio);
       if (ratio < kAreaRatio) continue;
       // A pair inside the region is seen from both sides: count it from the lower slot.
       if (other < slot && std::find(slots.begin(), slots.end(), other) != slots.end()) continue;

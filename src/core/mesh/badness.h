@@ -11,10 +11,11 @@ namespace triscope {
 inline constexpr double kBoundMargin = 1e-9;
 
 struct Badness {
-  int broken = 0;        // triangles with R ≥ e (an angle ≤ 30°), and pairs with an area ratio ≥ 3
-  int obtuse = 0;        // triangles with an angle above 90°
-  double excess = 0.0;   // sum over the broken of how far they are beyond the bound
-  double worst = 2.0;    // largest aspect ratio R/r
+  int broken = 0;           // triangles with R ≥ e (an angle ≤ 30°), and pairs with an area ratio ≥ 3
+  int obtuse = 0;           // triangles with an angle above 90°
+  double excess = 0.0;      // sum over the broken of how far they are beyond the bound
+  double worst = 2.0;       // largest aspect ratio R/r
+  double areaRatio = 1.0;   // largest, over pairs
   double shortest = 1e300;  // shortest edge, squared
 };
 

@@ -6,10 +6,10 @@
 namespace triscope {
 
 struct Patch {
-  Mesh mesh;                          // its rim is constrained, so no edit reaches beyond it
-  std::vector<std::int32_t> slots;    // patch slot -> mesh slot
-  std::vector<std::int32_t> vertices; // patch vertex -> mesh vertex
-  std::vector<std::int32_t> edges;    // patch boundary edge -> mesh boundary edge
+  Mesh mesh;                           // its rim is constrained, so no edit reaches beyond it
+  std::vector<std::int32_t> slots;     // patch slot -> mesh slot
+  std::vector<std::int32_t> vertices;  // patch vertex -> mesh vertex
+  std::vector<std::int32_t> edges;     // patch boundary edge -> mesh boundary edge
 };
 
 /// Triangles within `depth` steps across unconstrained edges; patch slot 0 is `slot`.

@@ -15,6 +15,7 @@ namespace {
 enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
 
 constexpr double kLargeAreaRatio = 2.0;  // pairs beyond it get their shared edge moved
+constexpr double kLargeAspect = 3.0;     // a shared edge may be moved as long as no aspect ratio grows beyond it
 constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
 // Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
 constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
@@ -29,12 +30,18 @@ bool movable(const Mesh& mesh, std::int32_t vertex) {
   return mesh.vertexEdge[at(vertex)] < 0 && mesh.vertexTriangle[at(vertex)] >= 0;
 }
 
-// Why the region after a move is worse than before; none when it is not (the acceptance rule of the stage).
-Refusal judge(const Badness& was, const Badness& is, double minEdge) {
+// Why the region after a move is worse than before; none when it is not. Each part of the step answers for the measure
+// it is there to improve, and may not spoil the others beyond what is large.
+Refusal judge(Rule rule, const Badness& was, const Badness& is, double minEdge) {
   if (is.broken > was.broken || is.excess > was.excess) return Refusal::bound_broken;
   if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
-  if (is.obtuse > was.obtuse || (is.obtuse == was.obtuse && is.worst > was.worst)) return Refusal::star_worse;
-  return Refusal::none;
+  if (is.obtuse > was.obtuse) return Refusal::star_worse;
+  if (is.areaRatio > std::max(was.areaRatio, kLargeAreaRatio)) return Refusal::star_worse;
+  if (is.obtuse < was.obtuse) return Refusal::none;
+  const bool worse = rule == Rule::shared_edge
+                         ? is.areaRatio >= was.areaRatio || is.worst > std::max(was.worst, kLargeAspect)
+                         : is.worst > was.worst;
+  return worse ? Refusal::star_worse : Refusal::none;
 }
 
 struct Trial {
@@ -44,7 +51,7 @@ struct Trial {
 };
 
 // Moves the vertex when the region it changes is no worse for it.
-Trial tryMove(MeshState& state, std::int32_t vertex, Point to) {
+Trial tryMove(MeshState& state, Rule rule, std::int32_t vertex, Point to) {
   Mesh& mesh = state.mesh;
   starOf(mesh, vertex, star);
   before.clear();
@@ -57,7 +64,7 @@ Trial tryMove(MeshState& state, std::int32_t vertex, Point to) {
     undoMove(mesh, moveLog);
     was = badnessOf(mesh, moveLog.slots);
   }
-  const Refusal refusal = judge(was, is, state.minEdge);
+  const Refusal refusal = judge(rule, was, is, state.minEdge);
   if (refusal == Refusal::none && flipped) moveVertex(mesh, vertex, to, moveLog);
   if (refusal != Refusal::none && !flipped) undoMove(mesh, moveLog);
   const bool byEdge = refusal == Refusal::edge_below_minimum;
@@ -68,7 +75,7 @@ Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t 
                    Point to) {
   const Point from = pointOf(state.mesh, vertex);
   const std::uint32_t firstId = state.mesh.nextId;
-  const Trial trial = tryMove(state, vertex, to);
+  const Trial trial = tryMove(state, rule, vertex, to);
   StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
   const bool moved = trial.refusal == Refusal::none;
   ++(moved ? counts.moved : counts.refused);
