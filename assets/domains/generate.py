@@ -107,8 +107,8 @@ def three_element_airfoil():
 def blunt_body():
     """A blunt cone with bulging sides, symmetric about the x axis: arcs at the nose and at both
     base corners, joined by splines along the sides and a line along the base, all tangent."""
-    nose = (-6.0, 0.0, 2.2)     # centre and radius
-    corner = (8.0, 6.0, 1.5)
+    nose = (-4.68, 0.0, 1.716)    # centre and radius
+    corner = (6.24, 4.68, 1.17)
     bulge = 6.0                 # degrees that each side turns
 
     # The side leaves the nose in direction `a` and meets the corner in direction `a - bulge`.
