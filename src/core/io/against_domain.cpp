@@ -62,7 +62,7 @@ class DomainCheck {
       for (std::uint32_t c = 0; c < loop.curveCount; ++c) checkCurve(loop, c);
     }
     if (polygonal) {
-      checkBorders();
+      if (found_.empty()) checkBorders();  // else they would say the same again
       checkArea();
     }
     return std::move(found_);
