@@ -81,6 +81,8 @@ bool step5(const MeshState& state, std::int32_t slot, const Shape&, Proposal& pr
     proposal.at = p5 + (height / edge) * perpendicular(p3 - p1);
     proposal.measured = reach;
     proposal.limit = shortest + height;
+    // Theorem 2 needs this; the circle of radius e about p0 does not always lie in the circumcircle of p1p3p4.
+    proposal.nearest = shortest * (1.0 - kBoundMargin);
     proposal.other = triangleOf(across);
     return true;
   }

@@ -18,6 +18,7 @@ struct Proposal {
   Point at;
   double measured = 0.0;    // R, or |p5 p4| in step 5
   double limit = 0.0;       // what it is not below
+  double nearest = 0.0;     // the new point must be at least this far from every vertex
   std::int32_t other = -1;  // slot of the adjacent triangle that the limit came from, -1 when none
 };
 

@@ -18,7 +18,7 @@ namespace triscope {
 namespace {
 
 constexpr int kPatchDepth = 7;
-constexpr std::uint8_t kTried = 32;  // bit of Mesh::tested: nothing helped, and nothing has changed since
+constexpr std::uint8_t kTried = 32;  // bit of Mesh::tested: breaks no bound or nothing helps, and is unchanged since
 constexpr int kPasses = 8;           // over the triangles that break a bound, in one visit of the stage
 
 enum class Edit : std::uint8_t { none, move, insert, remove, split };
@@ -233,9 +233,12 @@ void record(const MeshState& state, Journal& journal, const Remedy& remedy, std:
 
 void queueBroken(MeshState& state) {
   for (std::size_t slot = state.mesh.triangles.size(); slot-- > 0;) {
-    const auto s = static_cast<std::int32_t>(slot);
-    if (state.mesh.alive(s) && (state.mesh.tested[slot] & kTried) == 0 && breaksBound(state.mesh, s))
-      state.cursor.worklist.push_back(s);
+    if ((state.mesh.tested[slot] & kTried) != 0 || (state.mesh.flags[slot] & kDead) != 0) continue;
+    if (breaksBound(state.mesh, static_cast<std::int32_t>(slot))) {
+      state.cursor.worklist.push_back(static_cast<std::int32_t>(slot));
+    } else {
+      state.mesh.tested[slot] |= kTried;
+    }
   }
 }
 

@@ -56,7 +56,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     if (!proposes(state.stage, state, slot, proposal)) continue;
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
-    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {0.0, -0.5});
+    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {proposal.nearest, -0.5});
     record(state, journal, subject, proposal, other, attempt);
     if (attempt.vertex < 0) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;
