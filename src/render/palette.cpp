@@ -35,7 +35,7 @@ Theme lightTheme() {
   t.overBound = rgb(0xE4572E);
   t.created = okabe::green;
   t.removed = rgb(0xB03A00);
-  t.candidate = okabe::blue;
+  t.candidate = rgb(0x7A3EB1);
   t.refused = okabe::vermillion;
   t.worstAspect = rgb(0xB23A00);
   t.worstArea = okabe::blue;
@@ -65,7 +65,7 @@ Theme darkTheme() {
   t.overBound = rgb(0xD1452A);
   t.created = rgb(0x35C79A);
   t.removed = okabe::orange;
-  t.candidate = okabe::sky;
+  t.candidate = rgb(0xC9A0FF);
   t.refused = rgb(0xFF8A4C);
   t.worstAspect = rgb(0xFF8A4C);
   t.worstArea = okabe::sky;
@@ -96,7 +96,7 @@ Theme highContrastTheme() {
   t.overBound = rgb(0xE03020);
   t.created = rgb(0x40E0A0);
   t.removed = rgb(0xFFB000);
-  t.candidate = rgb(0x66CCFF);
+  t.candidate = rgb(0xD0B0FF);
   t.refused = rgb(0xFF7050);
   t.worstAspect = rgb(0xFF7050);
   t.worstArea = rgb(0x66CCFF);
@@ -150,28 +150,43 @@ Color cellTypeColor(const Theme& theme, CellType type) {
 
 Color stageColor(const Theme& theme, Stage stage) {
   // Four groups as the paper's sections: density, boundary and triangulation, fronts, steps; lighter to darker within.
-  struct Tint {
-    Color color;
-    double strength;
-  };
-  static constexpr std::array<Tint, kStageCount> tints{{{okabe::purple, 0.5},
-                                                        {okabe::purple, 0.7},
-                                                        {okabe::purple, 0.9},
-                                                        {okabe::orange, 0.5},
-                                                        {okabe::orange, 0.65},
-                                                        {okabe::orange, 0.8},
-                                                        {okabe::orange, 0.95},
-                                                        {okabe::sky, 0.7},
-                                                        {okabe::sky, 1.0},
-                                                        {okabe::blue, 0.5},
-                                                        {okabe::blue, 0.62},
-                                                        {okabe::blue, 0.74},
-                                                        {okabe::blue, 0.86},
-                                                        {okabe::blue, 1.0},
-                                                        {okabe::green, 0.9},
-                                                        {okabe::green, 0.4}}};
-  const Tint& tint = tints[static_cast<std::size_t>(stage)];
-  return mix(theme.background, tint.color, tint.strength);
+  switch (stage) {
+    case Stage::constraints:
+      return mix(theme.background, okabe::purple, 0.5);
+    case Stage::quadtree:
+      return mix(theme.background, okabe::purple, 0.7);
+    case Stage::density:
+      return mix(theme.background, okabe::purple, 0.9);
+    case Stage::boundary:
+      return mix(theme.background, okabe::orange, 0.5);
+    case Stage::triangulation:
+      return mix(theme.background, okabe::orange, 0.65);
+    case Stage::recovery:
+      return mix(theme.background, okabe::orange, 0.8);
+    case Stage::carve:
+      return mix(theme.background, okabe::orange, 0.95);
+    case Stage::front1:
+      return mix(theme.background, okabe::sky, 0.7);
+    case Stage::front2:
+      return okabe::sky;
+    case Stage::step1:
+      return mix(theme.background, okabe::blue, 0.5);
+    case Stage::step2:
+      return mix(theme.background, okabe::blue, 0.62);
+    case Stage::step3:
+      return mix(theme.background, okabe::blue, 0.74);
+    case Stage::step4:
+      return mix(theme.background, okabe::blue, 0.86);
+    case Stage::step5:
+      return okabe::blue;
+    case Stage::repair:
+      return mix(theme.background, okabe::vermillion, 0.85);
+    case Stage::refine:
+      return mix(theme.background, okabe::green, 0.9);
+    case Stage::finished:
+      break;
+  }
+  return mix(theme.background, okabe::green, 0.4);
 }
 
 double contrast(Color a, Color b) {

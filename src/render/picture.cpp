@@ -196,15 +196,19 @@ class Plotter {
   }
 
   void draw(const MarkBatch& batch) {
-    std::vector<PlacedMark> marks;
+    constexpr float kLeastOutlined = 5.0f;  // pixels: an outline would hide what is smaller
+    std::vector<PlacedMark> large;
+    std::vector<PlacedMark> small;
     for (std::size_t i = 0; i < batch.at.size(); ++i) {
       const Point p = pixel(batch.at[i]);
       const double reach = static_cast<double>(batch.size) * scale_;
       if (misses({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, plot_)) continue;
       const double room = batch.spacing.empty() ? 1e9 : static_cast<double>(batch.spacing[i]) * camera_.scale / scale_;
-      marks.push_back({p, markSize(batch.size, room) * static_cast<float>(scale_)});
+      const float size = markSize(batch.size, room);
+      (size < kLeastOutlined ? small : large).push_back({p, size * static_cast<float>(scale_)});
     }
-    if (!marks.empty()) canvas_.marks(marks, batch.shape, batch.fill, batch.outline);
+    if (!small.empty()) canvas_.marks(small, batch.shape, batch.fill, {0, 0, 0, 0});
+    if (!large.empty()) canvas_.marks(large, batch.shape, batch.fill, batch.outline);
   }
 
   const Camera& camera_;

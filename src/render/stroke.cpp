@@ -45,7 +45,7 @@ std::array<Point, 4> segmentOutline(Point a, Point b, double width) {
 }
 
 std::vector<Point> circlePolyline(Point centre, double radius) {
-  const int n = std::clamp(static_cast<int>(7.0 * std::sqrt(std::max(radius, 1.0))), 16, 720);
+  const int n = std::clamp(static_cast<int>(14.0 * std::sqrt(std::max(radius, 1.0))), 16, 720);
   std::vector<Point> points;
   points.reserve(static_cast<std::size_t>(n) + 1);
   for (int i = 0; i < n; ++i) {

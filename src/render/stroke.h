@@ -16,7 +16,7 @@ Paths dashed(std::span<const Point> polyline, const DashPattern& pattern, double
 /// A rectangle of this width about the segment from a to b.
 std::array<Point, 4> segmentOutline(Point a, Point b, double width);
 
-/// A circle as a closed polyline (the last point repeats the first) that is never off by a tenth of a pixel.
+/// A circle as a closed polyline (the last point repeats the first) that is never off by a fortieth of a pixel.
 std::vector<Point> circlePolyline(Point centre, double radius);
 
 /// Dash lengths grow with the width beyond this, so that a bold line keeps its rhythm.

@@ -1,0 +1,284 @@
+#include "render/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "render/number.h"
+#include "render/star.h"
+#include "sample_states.h"
+
+namespace triscope {
+namespace {
+
+using EdgeSet = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+std::pair<std::uint32_t, std::uint32_t> sorted(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
+
+EdgeSet liveEdges(const Mesh& mesh) {
+  EdgeSet edges;
+  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+    if (!mesh.alive(slot)) continue;
+    for (int i = 0; i < 3; ++i) {
+      edges.insert(sorted(static_cast<std::uint32_t>(startOf(mesh, 3 * slot + i)),
+                          static_cast<std::uint32_t>(endOf(mesh, 3 * slot + i))));
+    }
+  }
+  return edges;
+}
+
+std::array<std::uint64_t, kLayerCount> keysOf(const Scene& scene) {
+  std::array<std::uint64_t, kLayerCount> keys{};
+  for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = scene.layers[i].key;
+  return keys;
+}
+
+const LegendItem* legendItem(const Scene& scene, std::string_view label) {
+  for (const LegendItem& item : scene.legend) {
+    if (item.label == label) return &item;
+  }
+  return nullptr;
+}
+
+TEST(Scene, DrawsEveryTriangleAndEveryEdgeOnce) {
+  for (const Stage stage : {Stage::triangulation, Stage::carve, Stage::front2, Stage::step1}) {
+    const MeshState state = sample::after(sample::kFrame, stage);
+    const Scene scene = buildScene(state, {}, nullptr, nullptr);
+    EdgeSet drawn;
+    std::size_t edges = 0;
+    for (const TriangleBatch& batch : scene.layer(LayerId::mesh).triangles) {
+      for (const Index2& edge : batch.edges) drawn.insert(sorted(edge[0], edge[1]));
+      edges += batch.edges.size();
+    }
+    EXPECT_EQ(edges, drawn.size()) << "no edge twice";
+    EXPECT_EQ(drawn, liveEdges(state.mesh));
+    const TriangleBatch& inner = scene.layer(LayerId::mesh).triangles.back();
+    const auto helpers =
+        std::count_if(state.mesh.triangles.begin(), state.mesh.triangles.end(), [&](const Triangle& t) {
+          const auto slot = static_cast<std::int32_t>(&t - state.mesh.triangles.data());
+          return state.mesh.alive(slot) && std::any_of(t.v.begin(), t.v.end(), [&](std::int32_t v) {
+                   return state.mesh.kinds[static_cast<std::size_t>(v)] == VertexKind::helper;
+                 });
+        });
+    EXPECT_EQ(inner.triangles.size() + static_cast<std::size_t>(helpers), state.mesh.liveCount());
+    EXPECT_EQ(helpers > 0, stage == Stage::triangulation);
+  }
+}
+
+TEST(Scene, HidesWhatIsSwitchedOff) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  const Quality quality = measure(state.mesh);
+  ViewOptions off;
+  off.boundary = off.boundaryPoints = off.quadtree = off.constraints = off.fronts = off.steiner = false;
+  off.triangulation = off.worst = off.decision = off.labels = false;
+  const Scene scene = buildScene(state, off, nullptr, &quality);
+  for (const Layer& layer : scene.layers) {
+    EXPECT_TRUE(layer.squares.empty() && layer.triangles.empty() && layer.lines.empty());
+    EXPECT_TRUE(layer.circles.empty() && layer.marks.empty() && layer.labels.empty());
+  }
+  EXPECT_TRUE(scene.legend.empty());
+}
+
+TEST(Scene, LargeLayersOutliveWhatDoesNotConcernThem) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  ViewOptions view;
+  view.quadtree = true;
+  Scene scene = buildScene(state, view, nullptr, nullptr);
+  const auto before = keysOf(scene);
+  const Point* const points = scene.layer(LayerId::mesh).triangles.back().points.data();
+
+  view.selection = {Selection::Kind::vertex, 3, -1};
+  updateScene(scene, state, view, nullptr, nullptr);
+  EXPECT_EQ(scene.layer(LayerId::mesh).key, before[static_cast<std::size_t>(LayerId::mesh)]);
+  EXPECT_EQ(scene.layer(LayerId::mesh).triangles.back().points.data(), points) << "not built again";
+  EXPECT_NE(scene.layer(LayerId::selection).key, before[static_cast<std::size_t>(LayerId::selection)]);
+
+  MeshState later = state;
+  Journal nobody;
+  advance(later, Grain::insertion, nobody);
+  updateScene(scene, later, view, nullptr, nullptr);
+  EXPECT_NE(scene.layer(LayerId::mesh).key, before[static_cast<std::size_t>(LayerId::mesh)]);
+  EXPECT_EQ(scene.layer(LayerId::cells).key, before[static_cast<std::size_t>(LayerId::cells)]) << "the tree is final";
+  EXPECT_EQ(scene.layer(LayerId::boundary).key, before[static_cast<std::size_t>(LayerId::boundary)]);
+
+  view.theme = ThemeKind::dark;
+  updateScene(scene, later, view, nullptr, nullptr);
+  EXPECT_NE(scene.layer(LayerId::cells).key, before[static_cast<std::size_t>(LayerId::cells)]);
+}
+
+TEST(Scene, EveryTickOfTheQuadtreeShows) {
+  MeshState state = sample::start(sample::kFrame);
+  ViewOptions view;
+  view.quadtree = true;
+  Journal nobody;
+  Scene scene = buildScene(state, view, nullptr, nullptr);
+  while (state.stage <= Stage::density) {
+    advance(state, Grain::decision, nobody);
+    updateScene(scene, state, view, nullptr, nullptr);
+    const auto leaves =
+        std::count_if(state.tree.cells.begin(), state.tree.cells.end(), [](const Cell& c) { return c.child < 0; });
+    const auto outside = std::count_if(state.tree.cells.begin(), state.tree.cells.end(),
+                                       [](const Cell& c) { return c.child < 0 && c.type == CellType::outside; });
+    const auto expected = outside == leaves ? leaves : leaves - outside;
+    ASSERT_EQ(scene.layer(LayerId::cells).squares.at(0).squares.size(), static_cast<std::size_t>(expected));
+  }
+}
+
+TEST(Scene, TheThreeCirclesHoldTheWorstTriangles) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  const Quality quality = measure(state.mesh);
+  const Scene scene = buildScene(state, {}, nullptr, &quality);
+  const auto& circles = scene.layer(LayerId::worst).circles;
+  ASSERT_EQ(circles.size(), 3u);
+  const std::array<std::int32_t, 3> slots{quality.aspectAt, quality.areaRatioAt, quality.edgeRatioAt};
+  const std::array<Dash, 3> dashes{Dash::solid, Dash::dashed, Dash::dash_dotted};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(circles[i].style.dash, dashes[i]);
+    for (const std::int32_t v : triangleAt(state.mesh, slots[i]).v) {
+      EXPECT_LE(distance(pointOf(state.mesh, v), circles[i].centre), circles[i].radius);
+    }
+  }
+  const LegendItem* aspect = legendItem(scene, "worst aspect ratio");
+  ASSERT_NE(aspect, nullptr);
+  EXPECT_EQ(aspect->value.find(compact(quality.aspectMax)), 0u);
+  EXPECT_EQ(aspect->value.find("≥") != std::string::npos, quality.aspectMax >= Bounds::aspect);
+}
+
+TEST(Scene, ADecisionShowsTheEdgesThatItRemoved) {
+  MeshState state = sample::after(sample::kFrame, Stage::carve);
+  std::vector<Event> events;
+  Journal journal{&events};
+  int checked = 0;
+  int same = 0;
+  while (state.stage <= Stage::step3 && checked < 300) {
+    const EdgeSet before = liveEdges(state.mesh);
+    events.clear();
+    if (!advance(state, Grain::decision, journal)) break;
+    const auto made =
+        std::find_if(events.begin(), events.end(), [](const Event& e) { return e.kind == EventKind::vertex_inserted; });
+    if (made == events.end()) continue;
+    const EdgeSet now = liveEdges(state.mesh);
+    EdgeSet removed;
+    std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::inserter(removed, removed.end()));
+    Star star;
+    starOf(state.mesh, static_cast<std::int32_t>(made->vertex), star);
+    EdgeSet drawn;
+    for (const auto& edge : edgesBefore(state.mesh, rimVertices(state.mesh, star))) {
+      drawn.insert(sorted(static_cast<std::uint32_t>(edge[0]), static_cast<std::uint32_t>(edge[1])));
+    }
+    EXPECT_EQ(drawn.size(), removed.size());
+    if (drawn == removed) ++same;  // four points on one circle leave a choice
+    ++checked;
+    const Scene scene = buildScene(state, {}, &*made, nullptr);
+    const Layer& layer = scene.layer(LayerId::decision);
+    ASSERT_EQ(layer.triangles.size(), 1u);
+    EXPECT_TRUE(layer.triangles[0].hatched);
+    EXPECT_EQ(layer.triangles[0].triangles.size(), made->createdCount);
+  }
+  EXPECT_GT(checked, 100);
+  EXPECT_GT(same, checked * 9 / 10);
+}
+
+TEST(Scene, ColoursTrianglesByTheirMeasure) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  ViewOptions view;
+  view.fill = TriangleFill::min_angle;
+  const Scene scene = buildScene(state, view, nullptr, nullptr);
+  const TriangleBatch& batch = scene.layer(LayerId::mesh).triangles.back();
+  ASSERT_EQ(batch.fills.size(), batch.triangles.size());
+  for (std::size_t i = 0; i < batch.triangles.size(); ++i) {
+    const Index3& t = batch.triangles[i];
+    const TriangleQuality q = qualityOf(batch.points[t[0]], batch.points[t[1]], batch.points[t[2]]);
+    EXPECT_EQ(batch.fills[i] == scene.theme.overBound, q.minAngle <= Bounds::minAngle) << q.minAngle;
+  }
+  ASSERT_NE(legendItem(scene, "smallest angle"), nullptr);
+}
+
+TEST(Scene, BrushedAndObtuseTrianglesStandOut) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  const Quality quality = measure(state.mesh);
+  ViewOptions view;
+  view.obtuse = true;
+  Scene scene = buildScene(state, view, nullptr, &quality);
+  const auto countOf = [&scene](Color color) {
+    const auto& fills = scene.layer(LayerId::mesh).triangles.back().fills;
+    return static_cast<std::size_t>(std::count(fills.begin(), fills.end(), color));
+  };
+  EXPECT_EQ(countOf(scene.theme.obtuse), quality.obtuse);
+  view.brush = {true, TriangleFill::aspect, 2.0, 1e9};
+  updateScene(scene, state, view, nullptr, &quality);
+  EXPECT_EQ(countOf(scene.theme.selection), state.mesh.liveCount());
+}
+
+TEST(Scene, AnEmptyStateGivesAnEmptyPicture) {
+  const Scene scene = buildScene(MeshState{}, {}, nullptr, nullptr);
+  EXPECT_TRUE(scene.bounds.empty());
+  EXPECT_TRUE(scene.legend.empty());
+}
+
+TEST(Scene, EventsThatNameNothingAreHarmless) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  for (int kind = 0; kind <= static_cast<int>(EventKind::failure); ++kind) {
+    Event event;
+    event.kind = static_cast<EventKind>(kind);
+    buildScene(state, {}, &event, nullptr);
+    event.subject = event.vertex = event.created = 0x7fffffffu;
+    buildScene(state, {}, &event, nullptr);
+    buildScene(MeshState{}, {}, &event, nullptr);
+  }
+}
+
+TEST(Palette, TextReadsInEveryTheme) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::high_contrast}) {
+    const Theme& t = themeOf(kind);
+    for (const Color ground : {t.background, t.surface}) {
+      EXPECT_GE(contrast(t.text, ground), 4.5);
+      EXPECT_GE(contrast(t.textMuted, ground), 4.5);
+    }
+    for (const Color line : {t.boundary, t.worstAspect, t.worstArea, t.worstEdge, t.candidate, t.selection, t.front1,
+                             t.front2, t.removed, t.refused}) {
+      EXPECT_GE(contrast(line, t.background), 3.0);
+    }
+  }
+  EXPECT_NEAR(contrast(rgb(0x000000), rgb(0xFFFFFF)), 21.0, 1e-9);
+}
+
+TEST(Palette, ScalesGrowLighterAllTheWay) {
+  for (const Scale scale : {Scale::cividis, Scale::viridis}) {
+    double before = 0.0;
+    for (int i = 0; i <= 64; ++i) {
+      const double now = contrast(scaleColor(scale, i / 64.0), rgb(0x000000));
+      EXPECT_GT(now, before) << i;
+      before = now;
+    }
+  }
+}
+
+TEST(Style, WiresFadeAndMarksShrinkWithTheirRoom) {
+  EXPECT_EQ(wireFade(100.0), 1.0);
+  EXPECT_GT(wireFade(5.0), wireFade(3.0));
+  EXPECT_EQ(wireFade(0.0), wireFade(1.0));
+  EXPECT_EQ(markSize(8.0f, 1e9), 8.0f);
+  EXPECT_EQ(markSize(8.0f, 0.0), 2.0f);
+  EXPECT_LE(markSize(8.0f, 10.0), 10.0f);
+}
+
+TEST(Number, ReadsAsPeopleWriteThem) {
+  EXPECT_EQ(compact(3.7811), "3.78");
+  EXPECT_EQ(compact(3.0), "3");
+  EXPECT_EQ(compact(0.001), "0.001");
+  EXPECT_EQ(compact(0.00123456), "0.00123");
+  EXPECT_EQ(compact(1694.4), "1694");
+  EXPECT_EQ(compact(120.04), "120");
+  EXPECT_EQ(compact(-0.0), "0");
+  EXPECT_EQ(compact(9.999), "10");
+  EXPECT_EQ(compact(2.34e-9), "2.34e-09");
+  EXPECT_EQ(grouped(1694), "1694");
+  EXPECT_EQ(grouped(33040), "33\u2009040");
+  EXPECT_EQ(grouped(1234567), "1\u2009234\u2009567");
+}
+
+}  // namespace
+}  // namespace triscope
