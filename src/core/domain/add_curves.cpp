@@ -83,7 +83,9 @@ Status addSplines(const PointRun& run, const std::vector<int>& corners, DomainDr
 
 Status addArc(const PointRun& run, DomainDraft& draft) {
   auto arc = arcThrough(run.points[0], run.points[1], run.points[2]);
-  if (!arc) return complaintAt(run, 1, "the three points of the arc lie on one line", "use a piece of kind \"line\"");
+  if (!arc)
+    return complaintAt(run, 1, "the three points of the arc lie on one line",
+                       "use a piece of kind \"line\", or for a whole circle a loop of kind \"circle\"");
   CurveSource source = sourceOf(run, 0);
   source.step = 2;  // from point 0 to point 2
   add(draft, std::move(*arc), source);

@@ -28,6 +28,16 @@ class Namer {
     return draft_.domain.loops[chords_[chord].loop].role == LoopRole::chain;
   }
 
+  [[nodiscard]] std::uint32_t loopIndex(std::size_t chord) const { return chords_[chord].loop; }
+
+  /// Where in its loop, as the file has it, a chord comes.
+  [[nodiscard]] std::pair<int, int> order(std::size_t chord) const {
+    const CurveSource& source = draft_.sources[chords_[chord].curve];
+    const int knot = chords_[chord].knot;
+    // Once turned round, an edge starts at the later of its points.
+    return {source.piece, source.pointAt(source.step > 0 ? knot : knot + 1)};
+  }
+
   /// Index in the file of an end of a chord, -1 when it is no point of the file.
   [[nodiscard]] int point(std::size_t chord, Point at) const {
     const Chord& c = chords_[chord];
@@ -76,7 +86,16 @@ class Namer {
   const std::vector<Chord>& chords_;
 };
 
-Error explain(const Contact& contact, const Namer& names) {
+/// Which of two chords a message is about: the one of the later loop, in one loop the one that comes first.
+bool comesFirst(std::size_t s, std::size_t t, const Namer& names) {
+  return names.loopIndex(s) != names.loopIndex(t) ? names.loopIndex(s) > names.loopIndex(t)
+                                                  : names.order(s) < names.order(t);
+}
+
+Error explain(Contact contact, const Namer& names) {
+  if (contact.kind != ContactKind::point_on_edge && comesFirst(contact.second, contact.first, names)) {
+    std::swap(contact.first, contact.second);
+  }
   const std::string& loop = names.loop(contact.first);
   Error error{.loop = loop, .point = names.point(contact.first, contact.at), .at = contact.at};
   switch (contact.kind) {

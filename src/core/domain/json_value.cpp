@@ -11,6 +11,7 @@ namespace triscope {
 namespace {
 
 constexpr std::size_t kDeepest = 64;
+constexpr int kNumberOverflow = 406;  // the JSON library's number for it
 
 /// Builds the tree from the parser's events; stops at the first thing that is wrong.
 class TreeBuilder {
@@ -36,15 +37,16 @@ class TreeBuilder {
   }
 
   bool parse_error(std::size_t position, const std::string& token, const nlohmann::detail::exception& exception) {
-    // The position counts the bytes read, the offending one included.
-    const std::string_view before = text_.substr(0, std::min(position == 0 ? 0 : position - 1, text_.size()));
+    // The position counts the bytes read, the offending one included; past the end it counts the end as one.
+    const std::size_t offset = position == 0 ? 0 : position - 1;
+    const std::string_view before = text_.substr(0, std::min(offset, text_.size()));
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const auto column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 == 0
-    if (exception.id == 406) {
+    if (exception.id == kNumberOverflow) {
       error.message = fmt::format("the number {} ending at line {}, column {} is too large", token, line, column);
       error.hint = "use finite numbers of magnitude below 1e30";
     } else {
-      error.message = fmt::format("not valid JSON at line {}, column {}: unexpected {}", line, column, readable(token));
+      error.message = fmt::format("not valid JSON at line {}, column {}: unexpected {}", line, column, found(offset));
       error.hint = "correct the text there; JSON has no comments, no trailing commas, and no NaN or Infinity";
     }
     return false;
@@ -54,11 +56,11 @@ class TreeBuilder {
   Error error;
 
  private:
-  static std::string readable(const std::string& token) {
-    if (token.empty() || token == "<end of input>") return "end of the text";
-    std::string shown;
-    for (const char c : token.substr(0, 40)) shown += c >= ' ' && c <= '~' ? c : '?';
-    return fmt::format("'{}'", shown);
+  [[nodiscard]] std::string found(std::size_t offset) const {
+    if (offset >= text_.size()) return "end of the text";
+    const char byte = text_[offset];
+    if (byte >= ' ' && byte <= '~') return fmt::format("'{}'", byte);
+    return fmt::format("byte 0x{:02x}", static_cast<unsigned char>(byte));
   }
 
   bool keysDiffer(const JsonValue::Object& object) {
