@@ -1,0 +1,156 @@
+#include "cli/arguments.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string_view>
+
+#include "cli/stage_names.h"
+
+namespace triscope {
+namespace {
+
+/// Values of --set and of a stage's name, kept as text until the whole command line has been read.
+struct Texts {
+  std::vector<std::string> set;
+  std::string stage;
+};
+
+Status applySettings(Settings& settings, const std::vector<std::string>& assignments) {
+  for (const std::string_view assignment : assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos)
+      return Error{.code = ExitCode::usage,
+                   .message = fmt::format("--set wants key=value, not '{}'", assignment),
+                   .hint = "'triscope settings' lists the keys"};
+    Status status = setSetting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
+    if (!status.ok()) return status;
+  }
+  return success();
+}
+
+Status applyStage(Stage& stage, const std::string& name) {
+  if (name.empty()) return success();
+  const Result<Stage> named = stageNamed(name);
+  if (!named.ok()) return named.error();
+  stage = *named;
+  return success();
+}
+
+void addSet(CLI::App& command, Texts& texts) {
+  command.add_option("--set", texts.set, "Change a setting; 'triscope settings' lists them")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void addWindow(CLI::App& app, WindowOptions& options) {
+  app.add_option("FILE", options.file, "Domain file to open in the window")->type_name("");
+  app.add_option("--screenshot", options.screenshot, "Write a picture of the window once the mesh is complete, and end")
+      ->type_name("FILE.png");
+  app.add_option("--state-file", options.stateFile, "Keep a JSON file up to date with what the window shows")
+      ->type_name("FILE");
+  app.add_option("--preferences", options.preferences,
+                 "File of theme, scale and layout; 'none' neither reads nor writes one")
+      ->type_name("FILE");
+}
+
+CLI::App& addMesh(CLI::App& app, MeshCommand& options, Texts& texts) {
+  CLI::App& mesh = *app.add_subcommand("mesh", "Mesh a domain without a window");
+  mesh.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
+  mesh.add_option(
+          "-o,--output", options.outputs,
+          "File to write: .msh, .vtu, .node (with .ele and .poly), .su2, .off, .obj, .svg or .png; may be given again")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  mesh.add_option("--until", texts.stage, "Last stage to run: " + stageNames())->type_name("STAGE");
+  addSet(mesh, texts);
+  mesh.add_option("--report", options.report, "Write the figures of the run as JSON")->type_name("FILE");
+  mesh.add_option("--events", options.events, "Write every decision, one JSON object a line")->type_name("FILE");
+  mesh.add_flag("--msh2", options.msh2, "Write .msh files in version 2.2 of the format, not 4.1");
+  mesh.add_flag("-q,--quiet", options.quiet, "Say nothing unless something is wrong");
+  return mesh;
+}
+
+CLI::App& addCheck(CLI::App& app, CheckCommand& options) {
+  CLI::App& check = *app.add_subcommand("check", "Judge a mesh file: the bounds of the paper, and whether it is valid");
+  check.add_option("MESH", options.mesh, "Mesh file: .msh, .vtu, .node, .off or .obj")->required()->type_name("");
+  check.add_option("--domain", options.domain, "Domain file that the mesh must fill")->type_name("FILE");
+  return check;
+}
+
+CLI::App& addFigure(CLI::App& app, FigureCommand& options, Texts& texts) {
+  CLI::App& figure = *app.add_subcommand("figure", "Draw any stage of a run without a display");
+  figure.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
+  figure.add_option("-o,--output", options.outputs, "File to write: .svg or .png; may be given again")
+      ->required()
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  figure.add_option("--stage", texts.stage, "Draw the state at the end of this stage: " + stageNames())
+      ->type_name("STAGE");
+  addSet(figure, texts);
+  figure.add_option("--width", options.width, "Width in pixels")->check(CLI::Range(64, 16384))->capture_default_str();
+  figure.add_option("--height", options.height, "Height in pixels")
+      ->check(CLI::Range(64, 16384))
+      ->capture_default_str();
+  figure.add_flag("--dark", options.dark, "Light lines on a dark ground");
+  figure.add_flag("-q,--quiet", options.quiet, "Say nothing unless something is wrong");
+  return figure;
+}
+
+ExitCode complain(const Error& error) {
+  fmt::print(stderr, "triscope: {}\n", describe(error));
+  return ExitCode::usage;
+}
+
+}  // namespace
+
+std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv) {
+  CLI::App app{"Triscope shows and steps through the generation of triangle meshes.", "triscope"};
+  app.set_version_flag("--version", "triscope " TRISCOPE_VERSION, "Print the version and exit");
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Exit codes: 0 done, 1 a bound not met or a mesh not valid, 2 wrong usage, 65 bad data, 66 no such input,\n"
+      "69 no display, 70 a defect of the program, 73 an output cannot be written, 130 stopped by Ctrl+C.");
+
+  WindowOptions window;
+  MeshCommand mesh;
+  CheckCommand check;
+  FigureCommand figure;
+  Texts texts;
+  addWindow(app, window);
+  const CLI::App& meshCommand = addMesh(app, mesh, texts);
+  const CLI::App& checkCommand = addCheck(app, check);
+  const CLI::App& figureCommand = addFigure(app, figure, texts);
+  const CLI::App& settingsCommand = *app.add_subcommand("settings", "List every setting with its range and default");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {
+    if (stop.get_exit_code() == 0) {  // help or version: CLI11 prints it
+      app.exit(stop);
+      return ExitCode::ok;
+    }
+    fmt::print(stderr, "triscope: {}\nRun 'triscope --help' for what can be given.\n", stop.what());
+    return ExitCode::usage;
+  }
+
+  if (meshCommand.parsed()) {
+    if (const Status status = applySettings(mesh.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applyStage(mesh.until, texts.stage); !status.ok()) return complain(status.error());
+    if (mesh.outputs.empty() && mesh.report.empty() && mesh.events.empty())
+      return complain(Error{.code = ExitCode::usage,
+                            .message = "there is nothing to write",
+                            .hint = "name a file with -o, --report or --events"});
+    return Options{mesh};
+  }
+  if (checkCommand.parsed()) return Options{check};
+  if (figureCommand.parsed()) {
+    if (const Status status = applySettings(figure.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applyStage(figure.stage, texts.stage); !status.ok()) return complain(status.error());
+    return Options{figure};
+  }
+  if (settingsCommand.parsed()) return Options{SettingsCommand{}};
+  return Options{window};
+}
+
+}  // namespace triscope

@@ -1,0 +1,76 @@
+#include "cli/carry_on.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "core/domain/read.h"
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+constexpr int kSlice = 4096;  // decisions between two looks at Ctrl+C: a few milliseconds
+
+}  // namespace
+
+Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet) {
+  Result<Domain> domain = readDomain(domainFile);
+  if (!domain.ok()) return domain.error();
+  Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), settings);
+  if (state.ok() && state->minEdgeDerived && !quiet)
+    fmt::print(stderr,
+               "smallest edge length {:g}, derived from the geometry; --set min_edge_length=… chooses another\n",
+               state->minEdge);
+  return state;
+}
+
+Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, bool quiet) {
+  using Clock = std::chrono::steady_clock;
+  StageSeconds seconds{};
+  std::vector<Event> slice;
+  Journal journal{events != nullptr ? &slice : nullptr};
+  ProgressLine progress(!quiet);
+  for (bool more = true; more;) {
+    const Stage stage = state.stage;
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < kSlice && more && state.stage == stage; ++i) more = advanceUntil(state, last, 1, journal);
+    seconds[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(Clock::now() - start).count();
+    if (events != nullptr) {
+      if (const Status written = events->append(slice); !written.ok()) return written.error();
+      slice.clear();
+    }
+    if (interrupted())
+      return Error{.code = ExitCode::cancelled, .message = "stopped by Ctrl+C", .hint = "nothing was written"};
+    progress.show(state);
+  }
+  return seconds;
+}
+
+Error failureOf(const MeshState& failed) {
+  // Failures are rare and runs repeat exactly: a run without a listener learns the reason by running again with one.
+  std::vector<Event> events;
+  Journal journal{&events};
+  Result<MeshState> again = begin(failed.domain, failed.settings);
+  if (!again.ok()) return again.error();
+  advance(*again, Grain::all, journal);
+  for (auto event = events.rbegin(); event != events.rend(); ++event) {
+    if (event->kind != EventKind::failure) continue;
+    return Error{.code = ExitCode::unmet,
+                 .message = fmt::format("the method cannot go on in stage {}: {}", infoOf(event->stage).name,
+                                        describe(event->refusal)),
+                 .hint = "look at the domain there; 'triscope figure' draws the stages before",
+                 .file = failed.domain->file,
+                 .at = event->at};
+  }
+  return Error{.code = ExitCode::internal,
+               .message = "the method gave up without saying why",
+               .hint = "please report it with the domain",
+               .file = failed.domain->file};
+}
+
+}  // namespace triscope

@@ -1,0 +1,24 @@
+// Runs the method for a command: in slices, so that progress can be shown and Ctrl+C obeyed in between.
+#pragma once
+
+#include <string>
+
+#include "core/io/events_file.h"
+#include "core/io/report.h"
+#include "core/result.h"
+#include "core/state.h"
+
+namespace triscope {
+
+/// Reads a domain and puts a state at its first stage. Says on stderr what was derived, unless `quiet`.
+Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet);
+
+/// Carries the state on to the end of the stage `last`, or to where the method fails (state.failed), and returns how
+/// long each stage took. Every decision goes to `events` when there is one. Ctrl+C is an error with
+/// ExitCode::cancelled.
+Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, bool quiet);
+
+/// Why and where the method could not go on.
+Error failureOf(const MeshState& failed);
+
+}  // namespace triscope

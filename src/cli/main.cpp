@@ -1,0 +1,55 @@
+// triscope: the window, and subcommands over the same core.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "cli/arguments.h"
+#include "cli/commands.h"
+
+namespace triscope {
+
+ExitCode fail(const Error& error) {
+  fmt::print(stderr, "triscope: {}\n", describe(error));
+  return error.code;
+}
+
+namespace {
+
+ExitCode runProgram(int argc, const char* const* argv) {
+  const std::variant<Options, ExitCode> parsed = parseArguments(argc, argv);
+  ExitCode code = ExitCode::ok;
+  if (const ExitCode* const stop = std::get_if<ExitCode>(&parsed))
+    code = *stop;
+  else
+    code = std::visit([](const auto& options) { return runCommand(options); }, std::get<Options>(parsed));
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    return fail(Error{.code = ExitCode::cannot_write,
+                      .message = "cannot write to the standard output",
+                      .hint = "is the disk full, or the reader gone?"});
+  return code;
+}
+
+ExitCode defect(const char* what) {
+  std::fprintf(stderr,
+               "triscope: internal error: %s\nThis is a defect of the program; please report it with the input.\n",
+               what);
+  return ExitCode::internal;
+}
+
+}  // namespace
+}  // namespace triscope
+
+int main(int argc, char** argv) {
+  using namespace triscope;
+  try {
+    return static_cast<int>(runProgram(argc, argv));
+  } catch (const std::bad_alloc&) {
+    return static_cast<int>(defect("out of memory; a larger min_edge_length makes a smaller mesh"));
+  } catch (const std::exception& error) {
+    return static_cast<int>(defect(error.what()));
+  } catch (...) {
+    return static_cast<int>(defect("an exception of unknown kind"));
+  }
+}

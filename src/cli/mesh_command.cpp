@@ -1,0 +1,91 @@
+// triscope mesh: runs the method without a window and writes what was asked for.
+#include <fmt/format.h>
+
+#include <numeric>
+#include <optional>
+
+#include "cli/carry_on.h"
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/outputs.h"
+#include "core/io/atomic_file.h"
+#include "core/io/report.h"
+#include "core/quality/quality.h"
+
+namespace triscope {
+namespace {
+
+void warnOfUnusualSettings(const Settings& settings) {
+  for (const SettingInfo& info : settingTable()) {
+    const double value = settingValue(settings, info);
+    if (info.paperLow < info.paperHigh && (value < info.paperLow || value > info.paperHigh))
+      fmt::print(stderr, "note: {} = {:g} is outside the paper's {:g} to {:g}\n", info.key, value, info.paperLow,
+                 info.paperHigh);
+  }
+}
+
+void summarise(const MeshState& state, const Quality& quality, double seconds) {
+  fmt::print(stderr, "{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
+  if (state.stage > Stage::carve)
+    fmt::print(stderr,
+               ": aspect {:.2f}, area ratio {:.2f}, edge ratio {:.2f}, angles {:.1f} to {:.1f} degrees, {} obtuse",
+               quality.aspectMax, quality.areaRatioMax, quality.edgeRatioMax, quality.minAngle, quality.maxAngle,
+               quality.obtuse);
+  fmt::print(stderr, "\n");
+  if (state.stage >= Stage::refine && !quality.withinBounds())
+    fmt::print(stderr, "note: not every bound of the paper is met; 'triscope check' says which and where\n");
+}
+
+Status writeText(const std::string& path, std::string_view text) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file.ok()) return file.error();
+  if (const Status written = file->write(text); !written.ok()) return written;
+  return file->commit();
+}
+
+/// Everything that was asked for. Of a run that failed only the report and the events are written: they say why.
+Status writeAll(const MeshCommand& options, const MeshState& state, const Quality& quality, const StageSeconds& seconds,
+                std::optional<EventsFile>& events) {
+  if (!state.failed) {
+    if (Status written = writeOutputs(options.outputs, state, options.until, options.msh2); !written.ok())
+      return written;
+  }
+  if (!options.report.empty()) {
+    if (Status written = writeText(options.report, reportOf(state, quality, seconds)); !written.ok()) return written;
+  }
+  return events ? events->finish() : success();
+}
+
+}  // namespace
+
+ExitCode runCommand(const MeshCommand& options) {
+  if (const Status known = checkOutputs(options.outputs, options.until); !known.ok()) return fail(known.error());
+  watchForInterrupt();
+  if (!options.quiet) warnOfUnusualSettings(options.settings);
+  Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
+  if (!state.ok()) return fail(state.error());
+  std::vector<std::string> paths = options.outputs;
+  if (!options.report.empty()) paths.push_back(options.report);
+  if (const Status writable = probeOutputs(paths); !writable.ok()) return fail(writable.error());
+  std::optional<EventsFile> events;
+  if (!options.events.empty()) {
+    Result<EventsFile> file = EventsFile::create(options.events);
+    if (!file.ok()) return fail(file.error());
+    events = std::move(*file);
+    paths.push_back(options.events);
+  }
+
+  const Result<StageSeconds> seconds = carryOn(*state, options.until, events ? &*events : nullptr, options.quiet);
+  if (!seconds.ok()) return fail(seconds.error());
+  const Quality quality = measure(state->mesh);
+  if (const Status written = writeAll(options, *state, quality, *seconds, events); !written.ok())
+    return fail(written.error());
+  if (state->failed) return fail(failureOf(*state));
+  if (!options.quiet) {
+    summarise(*state, quality, std::accumulate(seconds->begin(), seconds->end(), 0.0));
+    for (const std::string& path : paths) fmt::print(stderr, "wrote {}\n", path);
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace triscope

@@ -1,0 +1,51 @@
+// What each subcommand was asked to do, as plain data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/settings.h"
+#include "core/stage.h"
+#include "ui/window.h"
+
+namespace triscope {
+
+/// triscope mesh DOMAIN -o OUT
+struct MeshCommand {
+  std::string domain;
+  Settings settings;
+  std::vector<std::string> outputs;  // by extension
+  Stage until = Stage::refine;       // the last stage to run
+  std::string report;                // empty: none
+  std::string events;                // empty: none
+  bool msh2 = false;
+  bool quiet = false;
+};
+
+/// triscope check MESH
+struct CheckCommand {
+  std::string mesh;
+  std::string domain;  // empty: the mesh is judged by itself
+};
+
+/// triscope figure DOMAIN -o OUT
+struct FigureCommand {
+  std::string domain;
+  Settings settings;
+  std::vector<std::string> outputs;
+  Stage stage = Stage::refine;  // drawn as it is when this stage is over
+  int width = 1200;             // pixels
+  int height = 900;
+  bool dark = false;
+  bool quiet = false;
+};
+
+/// triscope settings
+struct SettingsCommand {};
+
+/// What was asked for; triscope [FILE] opens the window.
+using Options = std::variant<WindowOptions, MeshCommand, CheckCommand, FigureCommand, SettingsCommand>;
+
+}  // namespace triscope

@@ -1,0 +1,58 @@
+#include "cli/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+constexpr int kBarWidth = 24;
+constexpr auto kInterval = std::chrono::milliseconds(100);
+
+bool isSet(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine(bool wanted) {
+  const char* const kind = std::getenv("TERM");
+  terminal_ = wanted && isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+  color_ = !isSet("NO_COLOR");
+}
+
+void ProgressLine::show(const MeshState& state) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!terminal_ || now - last_ < kInterval) return;
+  last_ = now;
+  shown_ = true;
+  const std::size_t triangles = state.mesh.liveCount();
+  std::string line{infoOf(state.stage).name};
+  if (state.round > 0) line += fmt::format(", round {}", state.round);
+  if (state.estimatedTriangles > 0.0 && state.stage > Stage::density) {
+    const double part = std::min(1.0, static_cast<double>(triangles) / state.estimatedTriangles);
+    const int filled = static_cast<int>(part * kBarWidth);
+    line = fmt::format("{}{:#>{}}{:->{}}{} {:>9} triangles  {}", color_ ? "\x1b[36m" : "", "", filled, "",
+                       kBarWidth - filled, color_ ? "\x1b[0m" : "", triangles, line);
+  }
+  fmt::print(stderr, "\r{}\x1b[K", line);
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  if (!shown_) return;
+  shown_ = false;
+  fmt::print(stderr, "\r\x1b[K");
+  std::fflush(stderr);
+}
+
+}  // namespace triscope

@@ -1,0 +1,35 @@
+// triscope settings: the table of settings, one a line.
+#include <fmt/format.h>
+
+#include "cli/commands.h"
+
+namespace triscope {
+namespace {
+
+std::string number(const SettingInfo& info, double value) {
+  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
+  return fmt::format("{:g}", value);
+}
+
+std::string range(const SettingInfo& info) {
+  if (std::holds_alternative<bool Settings::*>(info.member)) return "on, off";
+  if (info.highest > 1e100) return fmt::format(">= {:g}", info.lowest);
+  return fmt::format("{:g} .. {:g}", info.lowest, info.highest);
+}
+
+std::string paperRange(const SettingInfo& info) {
+  return info.paperLow < info.paperHigh ? fmt::format("{:g} .. {:g}", info.paperLow, info.paperHigh) : "";
+}
+
+}  // namespace
+
+ExitCode runCommand(const SettingsCommand&) {
+  constexpr auto row = "{:<16} {:<3} {:<8} {:<12} {:<13} {:<10} {}\n";
+  fmt::print(fmt::runtime(row), "setting", "", "default", "range", "paper's range", "unit", "what it does");
+  for (const SettingInfo& info : settingTable())
+    fmt::print(fmt::runtime(row), info.key, info.symbol, number(info, settingValue(Settings{}, info)), range(info),
+               paperRange(info), info.unit, info.help);
+  return ExitCode::ok;
+}
+
+}  // namespace triscope

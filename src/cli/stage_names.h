@@ -1,0 +1,17 @@
+// The names that --until and --stage take for the stages of the method.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+#include "core/stage.h"
+
+namespace triscope {
+
+/// The last stage that a name stands for. The error lists the names.
+Result<Stage> stageNamed(std::string_view name);
+/// All names, in the order that the stages run, separated by commas.
+std::string stageNames();
+
+}  // namespace triscope

@@ -1,0 +1,24 @@
+// triscope [FILE]: the window.
+#include "cli/commands.h"
+
+#if TRISCOPE_WINDOW
+
+namespace triscope {
+
+ExitCode runCommand(const WindowOptions& options) { return static_cast<ExitCode>(runWindow(options)); }
+
+}  // namespace triscope
+
+#else
+
+namespace triscope {
+
+ExitCode runCommand(const WindowOptions&) {
+  return fail(Error{.code = ExitCode::no_display,
+                    .message = "this program was built without its window",
+                    .hint = "use a subcommand ('triscope --help'), or build with TRISCOPE_WINDOW=ON"});
+}
+
+}  // namespace triscope
+
+#endif
