@@ -23,16 +23,19 @@ struct Layer {
 constexpr std::array kLayers{
     Layer{"core/geometry/", 0}, Layer{"core/result", 1},   Layer{"core/stage.h", 1},  Layer{"core/settings", 2},
     Layer{"core/event", 2},     Layer{"core/domain/", 3},  Layer{"core/density/", 4}, Layer{"core/mesh/", 5},
-    Layer{"core/state", 6},     Layer{"core/pipeline.h", 7},
+    Layer{"core/state", 6},
+    Layer{"core/hash", 7},
+    Layer{"core/pipeline.h", 7},
     Layer{"core/stages/", 8},
     Layer{"core/pipeline.cpp", 9},
     Layer{"core/quality/", 10},
-    Layer{"core/history", 11},
-    Layer{"core/session", 12},
-    Layer{"core/io/", 13},
-    Layer{"render/", 14},
-    Layer{"ui/", 15},
-    Layer{"cli/", 16},
+    Layer{"core/caption", 11},
+    Layer{"core/io/", 12},
+    Layer{"core/history/", 13},
+    Layer{"core/session", 14},
+    Layer{"render/", 15},
+    Layer{"ui/", 16},
+    Layer{"cli/", 17},
 };
 
 std::optional<int> levelOf(std::string_view path) {

@@ -1,0 +1,40 @@
+"""triscope figure: a picture of every stage, without a display."""
+
+import struct
+import xml.etree.ElementTree
+
+import program
+from program import BLUNT_BODY, CANNOT_WRITE, OK, STEP, run
+from mesh_test import STAGES
+
+
+class Figure(program.ProgramTest):
+    def test_every_stage_is_well_formed_and_different(self):
+        pictures = set()
+        for stage in STAGES:
+            self.expect(OK, run("figure", STEP, "-o", self.path("a.svg"), "--stage", stage))
+            root = xml.etree.ElementTree.parse(self.path("a.svg")).getroot()
+            self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+            pictures.add((self.folder / "a.svg").read_bytes())
+        self.assertGreaterEqual(len(pictures), len(STAGES) - 1)
+
+    def test_png_has_the_size_asked_for(self):
+        self.expect(OK, run("figure", BLUNT_BODY, "-o", self.path("a.png"), "--width", "320", "--height", "200"))
+        data = (self.folder / "a.png").read_bytes()
+        self.assertEqual(struct.unpack(">II", data[16:24]), (320, 200))
+
+    def test_needs_no_display(self):
+        self.expect(OK, run("figure", STEP, "-o", self.path("a.png"), env={"DISPLAY": "", "WAYLAND_DISPLAY": ""}))
+
+    def test_dark_differs(self):
+        self.expect(OK, run("figure", STEP, "-o", self.path("a.svg")))
+        self.expect(OK, run("figure", STEP, "-o", self.path("b.svg"), "--dark"))
+        self.assertNotEqual((self.folder / "a.svg").read_bytes(), (self.folder / "b.svg").read_bytes())
+
+    def test_cannot_write(self):
+        self.expect(CANNOT_WRITE, run("figure", STEP, "-o", self.path("no such folder/a.svg")))
+        self.assertEqual(self.files(), [])
+
+
+if __name__ == "__main__":
+    program.main()

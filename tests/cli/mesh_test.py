@@ -1,0 +1,196 @@
+"""triscope mesh: what it writes, what it says, and that it never harms a file on an error."""
+
+import json
+import os
+import pty
+import select
+import signal
+import subprocess
+import time
+
+import program
+from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, LONG_RUN, OK, STEP, USAGE, run)
+
+STAGES = ["constraints", "quadtree", "density", "boundary", "triangulation", "carve", "fronts", "step1", "rounds", "refine"]
+FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
+           "edge_ratio_max", "min_angle_deg", "max_angle_deg", "obtuse", "min_edge_length"]
+
+
+class Outputs(program.ProgramTest):
+    def test_every_format(self):
+        names = ["a.msh", "a.vtu", "a.node", "a.svg", "a.png"]
+        arguments = [part for name in names for part in ("-o", self.path(name))]
+        process = self.expect(OK, run("mesh", STEP, *arguments))
+        self.assertEqual(process.stdout, "")
+        self.assertEqual(self.files(), sorted(names + ["a.ele", "a.poly"]))
+        self.assertTrue((self.folder / "a.msh").read_text().startswith("$MeshFormat\n4.1 "))
+        self.assertTrue((self.folder / "a.png").read_bytes().startswith(b"\x89PNG\r\n"))
+        self.assertIn("<svg", (self.folder / "a.svg").read_text())
+
+    def test_msh2(self):
+        self.expect(OK, run("mesh", STEP, "-o", self.path("a.msh"), "--msh2"))
+        self.assertTrue((self.folder / "a.msh").read_text().startswith("$MeshFormat\n2.2 "))
+
+    def test_quiet_says_nothing(self):
+        process = self.expect(OK, run("mesh", STEP, "-o", self.path("a.msh"), "-q"))
+        self.assertEqual((process.stdout, process.stderr), ("", ""))
+
+    def test_without_a_terminal_no_control_characters(self):
+        process = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh")))
+        self.assertNotIn("\r", process.stderr)
+        self.assertNotIn("\x1b", process.stderr)
+        self.assertIn("triangles", process.stderr)
+        self.assertIn("a.msh", process.stderr)
+
+    def test_same_bytes_twice(self):
+        for name in ("a.msh", "b.msh"):
+            self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path(name)))
+        self.assertEqual((self.folder / "a.msh").read_bytes(), (self.folder / "b.msh").read_bytes())
+
+    def test_report_has_every_figure(self):
+        self.expect(OK, run("mesh", BLUNT_BODY, "--report", self.path("r.json")))
+        report = json.loads((self.folder / "r.json").read_text())
+        for key in FIGURES:
+            self.assertIn(key, report)
+        self.assertGreater(report["triangles"], 1000)
+        self.assertLess(report["aspect_ratio_max"], 4.31)
+        for stage in report["stages"]:
+            for key in ("seconds", "inserted", "refused", "moved"):
+                self.assertIn(key, stage)
+        self.assertGreater(sum(stage["inserted"] for stage in report["stages"]), 500)
+        self.assertGreater(sum(stage["seconds"] for stage in report["stages"]), 0)
+
+    def test_events_are_one_json_object_a_line(self):
+        self.expect(OK, run("mesh", STEP, "--events", self.path("e.jsonl")))
+        lines = (self.folder / "e.jsonl").read_text().splitlines()
+        self.assertGreater(len(lines), 10)
+        for line in lines:
+            self.assertIsInstance(json.loads(line), dict)
+
+    def test_a_listener_does_not_change_the_mesh(self):
+        self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh")))
+        self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("b.msh"), "--events", self.path("e.jsonl")))
+        self.assertEqual((self.folder / "a.msh").read_bytes(), (self.folder / "b.msh").read_bytes())
+
+    def test_settings_matter(self):
+        triangles = {}
+        for edge in ("1", "2"):
+            self.expect(OK, run("mesh", BLUNT_BODY, "--report", self.path("r.json"), "--set", f"min_edge_length={edge}",
+                                "--set", "laplacian=off"))
+            triangles[edge] = json.loads((self.folder / "r.json").read_text())["triangles"]
+        self.assertGreater(triangles["1"], triangles["2"])
+
+
+class Until(program.ProgramTest):
+    def test_every_stage_can_be_the_last(self):
+        seen = []
+        for stage in STAGES:
+            self.expect(OK, run("mesh", STEP, "--until", stage, "--report", self.path("r.json"), "-o",
+                                self.path("a.svg")))
+            seen.append(json.loads((self.folder / "r.json").read_text())["triangles"])
+        self.assertEqual(seen[0], 0)
+        self.assertEqual(seen, sorted(seen[:5]) + seen[5:], "a stage up to the triangulation lost triangles")
+        self.assertGreater(seen[8], seen[5])
+
+    def test_a_mesh_file_needs_a_mesh(self):
+        error = self.expect(USAGE, run("mesh", STEP, "--until", "density", "-o", self.path("a.msh"))).stderr
+        self.assertIn("triangulation", error)
+        self.assertEqual(self.files(), [])
+
+
+class NoHarm(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("a.msh", "precious")
+
+    def unharmed(self):
+        self.assertEqual(self.files(), ["a.msh"])
+        self.assertEqual((self.folder / "a.msh").read_text(), "precious")
+
+    def test_bad_domain(self):
+        for text, words in (("{", "JSON"), ('{"outer": [[0,0],[1,0]]}', "outer"), ("[]", ""),
+                            ('{"outer": [[0,0],[1,1],[1,0],[0,1]]}', "cross")):
+            domain = self.write("bad.json", text)
+            error = self.expect(BAD_DATA, run("mesh", domain, "-o", self.path("a.msh"))).stderr
+            self.assertIn("bad.json", error)
+            self.assertIn(words, error)
+            os.remove(domain)
+            self.unharmed()
+
+    def test_one_output_that_cannot_be_written(self):
+        bad = self.path("no such folder/a.svg")
+        error = self.expect(CANNOT_WRITE, run("mesh", STEP, "-o", bad, "-o", self.path("a.msh"))).stderr
+        self.assertIn("no such folder", error)
+        self.unharmed()
+
+    def test_output_that_is_a_folder(self):
+        (self.folder / "b.msh").mkdir()
+        self.expect(CANNOT_WRITE, run("mesh", STEP, "-o", self.path("b.msh")))
+        (self.folder / "b.msh").rmdir()
+        self.unharmed()
+
+    def test_folder_that_may_not_be_written(self):
+        if os.geteuid() == 0:
+            self.skipTest("root may write everywhere")
+        self.folder.chmod(0o500)
+        self.expect(CANNOT_WRITE, run("mesh", STEP, "-o", self.path("a.msh")))
+        self.folder.chmod(0o700)
+        self.unharmed()
+
+    def interrupt(self, number):
+        process = subprocess.Popen(
+            [program.PROGRAM, "mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--report", self.path("r.json"), "--events",
+             self.path("e.jsonl"), *LONG_RUN], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(0.5)
+        self.assertIsNone(process.poll(), "the run ended before Ctrl+C was pressed")
+        process.send_signal(number)
+        _, error = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, CANCELLED, error)
+        self.assertIn("nothing was written", error)
+        self.unharmed()
+
+    def test_control_c(self):
+        self.interrupt(signal.SIGINT)
+
+    def test_terminate(self):
+        self.interrupt(signal.SIGTERM)
+
+
+class Terminal(program.ProgramTest):
+    def on_terminal(self, **env):
+        """Runs with stderr on a pseudo-terminal; returns what was shown there."""
+        master, slave = pty.openpty()
+        process = subprocess.Popen([program.PROGRAM, "mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--set",
+                                    "min_edge_length=0.05"],
+                                   stderr=slave, stdout=subprocess.DEVNULL, env={**os.environ, "TERM": "xterm", **env})
+        os.close(slave)
+        shown = b""
+        while True:
+            ready, _, _ = select.select([master], [], [], 60)
+            try:
+                piece = os.read(master, 65536) if ready else b""
+            except OSError:  # the other side is closed
+                piece = b""
+            if not piece:
+                break
+            shown += piece
+        os.close(master)
+        self.assertEqual(process.wait(timeout=60), OK)
+        return shown.decode()
+
+    def test_progress_and_color(self):
+        shown = self.on_terminal(NO_COLOR="")
+        self.assertIn("\r", shown)
+        self.assertIn("\x1b[36m", shown)
+
+    def test_no_color(self):
+        shown = self.on_terminal(NO_COLOR="1")
+        self.assertIn("\r", shown)
+        self.assertNotIn("\x1b[3", shown)
+
+    def test_dumb_terminal(self):
+        self.assertNotIn("\x1b", self.on_terminal(TERM="dumb"))
+
+
+if __name__ == "__main__":
+    program.main()

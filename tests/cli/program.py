@@ -1,0 +1,55 @@
+"""Runs the program the way a shell would, for the tests of the command line."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["TRISCOPE_PROGRAM"]
+SOURCE = pathlib.Path(os.environ["TRISCOPE_SOURCE_DIR"])
+DOMAINS = SOURCE / "assets" / "domains"
+STEP = str(DOMAINS / "step.json")
+BLUNT_BODY = str(DOMAINS / "blunt_body.json")
+
+OK, UNMET, USAGE, BAD_DATA, NO_INPUT, CANNOT_WRITE, CANCELLED = 0, 1, 2, 65, 66, 73, 130
+
+# Takes the program seconds to mesh: there is time to press Ctrl+C.
+LONG_RUN = ["--set", "min_edge_length=0.00002"]
+
+
+def run(*arguments, env=None, timeout=120):
+    """Runs the program without a terminal; returns the finished process with text in stdout and stderr."""
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
+                          stdin=subprocess.DEVNULL, env={**os.environ, **(env or {})}, check=False)
+
+
+class ProgramTest(unittest.TestCase):
+    """A test with a folder of its own, which must hold only what the test says it does."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="triscope-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+        return self.path(name)
+
+    def files(self):
+        return sorted(entry.name for entry in self.folder.iterdir())
+
+    def expect(self, code, process):
+        """The exit code is `code`; a failure said why in one clear line on stderr and nothing on stdout."""
+        self.assertEqual(process.returncode, code, f"{process.args}\n{process.stdout}\n{process.stderr}")
+        if code not in (OK, UNMET):
+            self.assertEqual(process.stdout, "")
+            self.assertTrue(process.stderr.startswith("triscope: "), process.stderr)
+        return process
+
+
+def main():
+    unittest.main(verbosity=1)
