@@ -1,0 +1,102 @@
+#include "core/history/history.h"
+
+#include <algorithm>
+
+namespace triscope {
+namespace {
+
+constexpr std::uint64_t kFirstSpacing = 1024;
+
+template <class T>
+std::size_t bytesIn(const std::vector<T>& list) {
+  return list.size() * sizeof(T);
+}
+
+/// First stage that the difference between two settings can matter to; `finished` when they are the same.
+Stage firstAffected(const Settings& a, const Settings& b) {
+  Stage first = Stage::finished;
+  for (const SettingInfo& info : settingTable()) {
+    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
+  }
+  return first;
+}
+
+}  // namespace
+
+std::size_t bytesOf(const MeshState& s) {
+  const Mesh& m = s.mesh;
+  return sizeof(MeshState) + bytesIn(m.points) + bytesIn(m.kinds) + bytesIn(m.density) + bytesIn(m.vertexTriangle) +
+         bytesIn(m.vertexEdge) + bytesIn(m.triangles) + bytesIn(m.ids) + bytesIn(m.flags) + bytesIn(m.tested) +
+         bytesIn(m.freeSlots) + bytesIn(m.edges) + bytesIn(s.constraints) + bytesIn(s.tree.cells) +
+         bytesIn(s.boundary) + bytesIn(s.front1) + bytesIn(s.front2) + bytesIn(s.frontLoops) +
+         bytesIn(s.cursor.worklist) + bytesIn(s.cursor.next) + bytesIn(s.cursor.points);
+}
+
+History::History(std::size_t budget) : budget_(budget) {}
+
+void History::restart(const MeshState& start) {
+  keyframes_.clear();
+  keyframes_.push_back({start, 0, bytesOf(start)});
+  bytes_ = keyframes_.front().bytes;
+  spacing_ = kFirstSpacing;
+  nextTick_ = start.tick + spacing_;
+}
+
+void History::take(const MeshState& state, std::uint64_t events) {
+  const std::size_t size = bytesOf(state);
+  while (bytes_ + size > budget_ && keyframes_.size() > 1) thin();
+  nextTick_ = keyframes_.back().state.tick + spacing_;
+  if (bytes_ + size > budget_ || state.tick < nextTick_) {
+    nextTick_ = std::max(nextTick_, state.tick + spacing_);
+    return;
+  }
+  keyframes_.push_back({state, events, size});
+  bytes_ += size;
+  nextTick_ = state.tick + spacing_;
+}
+
+void History::thin() {
+  std::size_t kept = 1;
+  for (std::size_t k = 2; k < keyframes_.size(); k += 2) std::swap(keyframes_[kept++], keyframes_[k]);
+  keyframes_.resize(kept, keyframes_.front());
+  bytes_ = 0;
+  for (const Keyframe& keyframe : keyframes_) bytes_ += keyframe.bytes;
+  spacing_ *= 2;
+}
+
+void History::forgetAfter(std::uint64_t tick) {
+  while (keyframes_.size() > 1 && keyframes_.back().state.tick > tick) {
+    bytes_ -= keyframes_.back().bytes;
+    keyframes_.pop_back();
+  }
+  nextTick_ = keyframes_.back().state.tick + spacing_;
+}
+
+const Keyframe& History::before(std::uint64_t tick) const {
+  auto after = std::upper_bound(keyframes_.begin(), keyframes_.end(), tick,
+                                [](std::uint64_t t, const Keyframe& k) { return t < k.state.tick; });
+  return after == keyframes_.begin() ? *after : *(after - 1);
+}
+
+MeshState History::seek(std::uint64_t tick, Journal& journal) const {
+  MeshState state = before(tick).state;
+  while (state.tick < tick && advance(state, Grain::decision, journal)) {
+  }
+  return state;
+}
+
+std::uint64_t History::changeSettings(const Settings& settings) {
+  const Stage affected = firstAffected(keyframes_.front().state.settings, settings);
+  while (keyframes_.size() > 1) {
+    const MeshState& last = keyframes_.back().state;
+    const bool begun = last.stage > affected || (last.stage == affected && last.cursor.begun);
+    if (!begun) break;
+    bytes_ -= keyframes_.back().bytes;
+    keyframes_.pop_back();
+  }
+  for (Keyframe& keyframe : keyframes_) keyframe.state.settings = settings;
+  nextTick_ = keyframes_.back().state.tick + spacing_;
+  return keyframes_.back().state.tick;
+}
+
+}  // namespace triscope

@@ -1,0 +1,95 @@
+// Time travel: every tick sought gives the state of the forward run, whatever the budget.
+#include "core/history/history.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "core/domain/read.h"
+
+namespace triscope {
+namespace {
+
+MeshState start(const std::string& sample, const Settings& settings = {}) {
+  Result<Domain> domain = readDomain(std::string(TRISCOPE_SOURCE_DIR) + "/assets/domains/" + sample + ".json");
+  EXPECT_TRUE(domain.ok()) << describe(domain.error());
+  Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), settings);
+  EXPECT_TRUE(state.ok());
+  return std::move(*state);
+}
+
+struct Forward {
+  std::vector<std::uint64_t> hashes;  // after tick · stride decisions
+  History history;
+  MeshState end;
+};
+
+Forward runForward(const MeshState& first, std::size_t budget, std::uint64_t stride) {
+  Forward forward{{}, History(budget), first};
+  Journal journal;
+  forward.history.restart(first);
+  forward.hashes.push_back(hashOf(first));
+  while (forward.end.stage != Stage::finished) {
+    const std::uint64_t before = forward.end.tick;
+    advance(forward.end, Grain::decision, journal);
+    if (forward.end.tick == before) break;
+    forward.history.offer(forward.end, 0);
+    if (forward.end.tick % stride == 0) forward.hashes.push_back(hashOf(forward.end));
+  }
+  return forward;
+}
+
+void expectEveryTick(const std::string& sample, std::size_t budget, std::uint64_t stride) {
+  const Forward forward = runForward(start(sample), budget, stride);
+  Journal journal;
+  for (std::size_t k = forward.hashes.size(); k-- > 0;) {
+    const MeshState state = forward.history.seek(k * stride, journal);
+    ASSERT_EQ(state.tick, k * stride);
+    ASSERT_EQ(hashOf(state), forward.hashes[k]) << sample << " at tick " << k * stride;
+  }
+}
+
+TEST(History, SeeksEveryTickOfTheAnnulusBackwards) { expectEveryTick("annulus", std::size_t{64} << 20, 1); }
+
+TEST(History, SeeksBackwardsWithinATinyBudget) { expectEveryTick("annulus", std::size_t{64} << 10, 1); }
+
+TEST(History, SeeksTheBluntBodyBackwards) { expectEveryTick("blunt_body", std::size_t{64} << 20, 7); }
+
+TEST(History, SeeksTheBluntBodyBackwardsWithinATinyBudget) {
+  expectEveryTick("blunt_body", std::size_t{64} << 10, 101);
+}
+
+TEST(History, StaysWithinItsBudgetAndCoversTheRun) {
+  const std::size_t budget = std::size_t{2} << 20;
+  const Forward forward = runForward(start("blunt_body"), budget, 1u << 30);
+  EXPECT_LE(forward.history.bytes(), budget);
+  EXPECT_GE(forward.history.count(), 3u);
+  EXPECT_LE(forward.end.tick - forward.history.before(forward.end.tick).state.tick, 2 * forward.history.spacing());
+}
+
+TEST(History, ChangingOmegaKeepsWhatCameBeforeStepSix) {
+  const Forward forward = runForward(start("blunt_body"), std::size_t{64} << 20, 1u << 30);
+  History history = forward.history;
+  Settings settings;
+  settings.omega = 0.05;
+  const std::uint64_t kept = history.changeSettings(settings);
+  EXPECT_GT(kept, 0u);
+  Journal journal;
+  const MeshState sought = history.seek(~std::uint64_t{0}, journal);
+  MeshState fresh = start("blunt_body", settings);
+  advance(fresh, Grain::all, journal);
+  EXPECT_EQ(hashOf(sought), hashOf(fresh));
+}
+
+TEST(History, ChangingTheSmallestEdgeKeepsTheStartOnly) {
+  const Forward forward = runForward(start("annulus"), std::size_t{64} << 20, 1u << 30);
+  History history = forward.history;
+  Settings settings;
+  settings.curvatureTurn = 20.0;
+  EXPECT_EQ(history.changeSettings(settings), 0u);
+  EXPECT_EQ(history.count(), 1u);
+}
+
+}  // namespace
+}  // namespace triscope
