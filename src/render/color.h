@@ -1,6 +1,7 @@
 // An sRGB colour with straight (not premultiplied) alpha.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 namespace triscope {
@@ -20,15 +21,15 @@ constexpr Color rgb(std::uint32_t hex) {
 }
 
 /// The same colour with alpha in [0, 1] times its own.
-constexpr Color faded(Color c, double alpha) {
-  c.a = static_cast<std::uint8_t>(static_cast<double>(c.a) * alpha + 0.5);
+inline Color faded(Color c, double alpha) {
+  c.a = static_cast<std::uint8_t>(std::lround(static_cast<double>(c.a) * alpha));
   return c;
 }
 
 /// Straight blend in sRGB: a at t = 0, b at t = 1.
-constexpr Color mix(Color a, Color b, double t) {
+inline Color mix(Color a, Color b, double t) {
   const auto channel = [t](std::uint8_t x, std::uint8_t y) {
-    return static_cast<std::uint8_t>((1.0 - t) * static_cast<double>(x) + t * static_cast<double>(y) + 0.5);
+    return static_cast<std::uint8_t>(std::lround((1.0 - t) * static_cast<double>(x) + t * static_cast<double>(y)));
   };
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
 }

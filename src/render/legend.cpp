@@ -69,20 +69,24 @@ LegendItem fillItem(Color fill, std::string label, std::string value = {}) {
   return result;
 }
 
+LegendItem rankRamp(const SceneInput& in) {
+  const RankRange range = rankRange(in.state.tree);
+  LegendItem ramp = item(Sample::ramp, "density rank");
+  const int steps = std::clamp(range.highest - range.lowest + 1, 1, 24);
+  for (int i = 0; i < steps; ++i) {
+    const int rank = steps == 1 ? range.lowest : range.lowest + (range.highest - range.lowest) * i / (steps - 1);
+    ramp.ramp.push_back(rankColor(in.options.scale, in.theme, rank, range.lowest, range.highest));
+  }
+  ramp.low = fmt::format("{} (h = {})", range.lowest, compact(in.state.minEdge * rankLength(range.lowest)));
+  ramp.high = fmt::format("{} ({})", range.highest, compact(in.state.minEdge * rankLength(range.highest)));
+  return ramp;
+}
+
 void addCells(const SceneInput& in, std::vector<LegendItem>& legend) {
   const ViewOptions& o = in.options;
   if (!o.quadtree || in.state.tree.cells.empty() || o.cells == CellColoring::none) return;
   if (o.cells == CellColoring::rank) {
-    const RankRange range = rankRange(in.state.tree);
-    LegendItem ramp = item(Sample::ramp, "density rank");
-    const int steps = std::clamp(range.highest - range.lowest + 1, 1, 24);
-    for (int i = 0; i < steps; ++i) {
-      const int rank = steps == 1 ? range.lowest : range.lowest + (range.highest - range.lowest) * i / (steps - 1);
-      ramp.ramp.push_back(rankColor(o.scale, in.theme, rank, range.lowest, range.highest));
-    }
-    ramp.low = fmt::format("{} (h = {})", range.lowest, compact(in.state.minEdge * rankLength(range.lowest)));
-    ramp.high = fmt::format("{} ({})", range.highest, compact(in.state.minEdge * rankLength(range.highest)));
-    legend.push_back(std::move(ramp));
+    legend.push_back(rankRamp(in));
     return;
   }
   if (!classified(in.state.tree)) return;
@@ -142,6 +146,8 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
 void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
   const ViewOptions& o = in.options;
   if (!o.triangulation || in.state.mesh.triangles.empty()) return;
+  const bool cellsShowRanks = o.quadtree && o.cells == CellColoring::rank;
+  if (o.fill == TriangleFill::density && !cellsShowRanks) legend.push_back(rankRamp(in));
   if (o.fill != TriangleFill::plain && o.fill != TriangleFill::density) {
     const MeasureScale scale = scaleOf(o.fill);
     const bool angle = o.fill == TriangleFill::min_angle || o.fill == TriangleFill::max_angle;

@@ -24,12 +24,14 @@ std::vector<std::string> brokenIntoLines(const std::string& text, double width, 
     std::size_t to = text.find_first_of(" \n", from);
     if (to == std::string::npos) to = text.size();
     const std::string word = text.substr(from, to - from);
-    const std::string longer = line.empty() ? word : line + " " + word;
+    std::string longer = line;
+    if (!line.empty()) longer += ' ';
+    longer += word;
     if (!line.empty() && textWidth(longer, size) > width) {
       lines.push_back(line);
       line = word;
     } else {
-      line = longer;
+      line = std::move(longer);
     }
     if (to < text.size() && text[to] == '\n') {
       lines.push_back(line);

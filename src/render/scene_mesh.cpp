@@ -162,7 +162,7 @@ Color measureColor(const ViewOptions& options, const Theme& theme, double value)
   const MeasureScale scale = scaleOf(options.fill);
   const double t = (value - scale.good) / (scale.bound - scale.good);  // 0 good, 1 at the bound
   if (t >= 1.0) return theme.overBound;
-  return scaleColor(options.scale, theme.dark ? t : 1.0 - t);
+  return mix(theme.background, scaleColor(options.scale, theme.dark ? t : 1.0 - t), 0.82);
 }
 
 void buildMesh(const SceneInput& in, Layer& layer) {
@@ -226,7 +226,8 @@ void buildPoints(const SceneInput& in, Layer& layer) {
     const VertexKind kind = state.mesh.kinds[i];
     if (kind < VertexKind::kept || kind > VertexKind::steiner) continue;
     const bool onBoundary = kind <= VertexKind::split;
-    if (onBoundary ? !in.options.boundaryPoints : !(in.options.steiner && kind == VertexKind::steiner)) continue;
+    const bool wanted = onBoundary ? in.options.boundaryPoints : in.options.steiner && kind == VertexKind::steiner;
+    if (!wanted) continue;
     MarkBatch& batch = kind == VertexKind::kept       ? kept
                        : kind == VertexKind::boundary ? placed
                        : kind == VertexKind::split    ? split

@@ -89,11 +89,19 @@ Label note(const SceneInput& in, Point p, std::string text, Color color) {
   return label;
 }
 
+// On a ring of background, so that it reads over any fill.
+void addCircle(const SceneInput& in, Layer& layer, const Circle& circle) {
+  Circle ring = circle;
+  ring.style = {faded(in.theme.background, 0.8), circle.style.width + 2.6f, Dash::solid, false};
+  layer.circles.push_back(ring);
+  layer.circles.push_back(circle);
+}
+
 // In steps 1 to 4 what is measured is the circumradius about the proposed point.
 void addCircumcircle(const SceneInput& in, Layer& layer) {
   const Event& event = *in.current;
   if (event.rule < Rule::step1 || event.rule > Rule::step4 || !(event.measured > 0.0)) return;
-  layer.circles.push_back({event.at, event.measured, 0.0f, {in.theme.candidate, 1.3f, Dash::solid, false}});
+  addCircle(in, layer, {event.at, event.measured, 0.0f, {in.theme.candidate, 1.3f, Dash::solid, false}});
 }
 
 void addInsertion(const SceneInput& in, Layer& layer) {
@@ -108,6 +116,7 @@ void addInsertion(const SceneInput& in, Layer& layer) {
   const std::vector<std::int32_t> rim = rimVertices(mesh, star);
   layer.triangles.push_back(patch(mesh, slotsOf(star), in.theme.created, true));
   std::vector<Point> around;
+  around.reserve(rim.size());
   for (const std::int32_t v : rim) around.push_back(pointOf(mesh, v));
   layer.lines.push_back(polyline(std::move(around), true, {in.theme.created, 1.8f, Dash::solid, false}));
   LineBatch removed;
@@ -200,7 +209,7 @@ void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, 
   const float least = 12.0f + 5.0f * static_cast<float>(which);
   const LineStyle style = worstStyle(in.theme, which);
   const double radius = std::sqrt(circle.squaredRadius) * (1.05 + 0.12 * which);
-  layer.circles.push_back({circle.centre, radius, least, style});
+  addCircle(in, layer, {circle.centre, radius, least, style});
   if (!in.options.labels) return;
   Label text = note(in, circle.centre, std::string(label) + " " + compact(value), style.color);
   text.dx = least + 3.0f;

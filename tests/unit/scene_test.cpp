@@ -131,13 +131,15 @@ TEST(Scene, TheThreeCirclesHoldTheWorstTriangles) {
   const Quality quality = measure(state.mesh);
   const Scene scene = buildScene(state, {}, nullptr, &quality);
   const auto& circles = scene.layer(LayerId::worst).circles;
-  ASSERT_EQ(circles.size(), 3u);
+  ASSERT_EQ(circles.size(), 6u) << "each on a ring of background";
   const std::array<std::int32_t, 3> slots{quality.aspectAt, quality.areaRatioAt, quality.edgeRatioAt};
   const std::array<Dash, 3> dashes{Dash::solid, Dash::dashed, Dash::dash_dotted};
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(circles[i].style.dash, dashes[i]);
+    const Circle& circle = circles[2 * i + 1];
+    EXPECT_EQ(circle.style.dash, dashes[i]);
+    EXPECT_EQ(circles[2 * i].centre, circle.centre);
     for (const std::int32_t v : triangleAt(state.mesh, slots[i]).v) {
-      EXPECT_LE(distance(pointOf(state.mesh, v), circles[i].centre), circles[i].radius);
+      EXPECT_LE(distance(pointOf(state.mesh, v), circle.centre), circle.radius);
     }
   }
   const LegendItem* aspect = legendItem(scene, "worst aspect ratio");

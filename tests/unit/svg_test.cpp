@@ -94,7 +94,7 @@ TEST(Svg, DrawsEachTriangleOnceAndTheCirclesInTheirStyles) {
   const std::string path = text.substr(from, text.find("/>", from) - from);
   EXPECT_EQ(countOf(path, "z"), state.mesh.liveCount());
   EXPECT_GE(countOf(text, "stroke-dasharray"), 4u) << "dashed and dash-dotted, in the plot and in the legend";
-  EXPECT_EQ(countOf(text, "<circle"), 6u);
+  EXPECT_EQ(countOf(text, "<circle"), 9u) << "three with a ring of background, three in the legend";
 }
 
 TEST(Svg, IsTheSameEveryTime) {
