@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Writes the samples of this folder whose points come from formulas:
-blunt_body, naca0012 and three_element_airfoil. Run it after changing a number below.
+blunt_body, naca0012 and three_element_airfoil. Run it after changing a number below;
+with an argument it writes into that folder.
 
 Airfoil sections: E. N. Jacobs, K. E. Ward, R. M. Pinkerton, NACA Report 460, 1933,
 with the last thickness coefficient changed so that the trailing edge closes.
@@ -8,8 +9,11 @@ with the last thickness coefficient changed so that the trailing edge closes.
 
 import math
 import pathlib
+import sys
 
-FOLDER = pathlib.Path(__file__).resolve().parent
+FOLDER = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else __file__).resolve()
+if FOLDER.is_file():
+    FOLDER = FOLDER.parent
 
 
 def section(camber, camber_at, thickness, points):
