@@ -4,7 +4,7 @@ import json
 import re
 
 import program
-from program import BAD_DATA, BLUNT_BODY, OK, STEP, UNMET, run
+from program import BAD_DATA, BLUNT_BODY, OK, STEP, UNMET, USAGE, run
 
 MSH2 = """$MeshFormat
 2.2 0 8
@@ -61,9 +61,10 @@ class Check(program.ProgramTest):
         self.expect(UNMET, run("check", self.path("a.msh"), "--domain", BLUNT_BODY))
 
     def test_file_that_is_no_mesh(self):
-        for name, text in (("a.msh", "nonsense"), ("a.msh", ""), ("a.ele", "1 3 0\n1 1 2 3\n"),
-                           ("a.node", "3 2 0 0\n1 0 0\n"), ("a.xyz", "")):
-            error = self.expect(program.USAGE if name == "a.xyz" else BAD_DATA, run("check", self.write(name, text))).stderr
+        self.write("a.ele", "1 3 0\n1 1 2 3\n")
+        for name, text, code in (("a.msh", "nonsense", BAD_DATA), ("a.msh", "", BAD_DATA),
+                                 ("a.node", "3 2 0 0\n1 0 0\n", BAD_DATA), ("a.xyz", "", USAGE)):
+            error = self.expect(code, run("check", self.write(name, text))).stderr
             self.assertIn(name, error)
 
 
