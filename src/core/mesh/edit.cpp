@@ -1,5 +1,7 @@
 #include "core/mesh/edit.h"
 
+#include "core/mesh/change_log.h"
+
 namespace triscope {
 
 std::int32_t addVertex(Mesh& mesh, Point p, VertexKind kind, std::uint8_t density) {
@@ -27,6 +29,7 @@ std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_
   }
   mesh.triangles[at(slot)] = {{a, b, c}, {-1, -1, -1}};
   mesh.ids[at(slot)] = mesh.nextId++;
+  ChangeLog::note(slot);
   mesh.vertexTriangle[at(a)] = slot;
   mesh.vertexTriangle[at(b)] = slot;
   mesh.vertexTriangle[at(c)] = slot;
@@ -36,6 +39,7 @@ std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_
 void killTriangle(Mesh& mesh, std::int32_t slot) {
   mesh.flags[at(slot)] = kDead;
   mesh.freeSlots.push_back(slot);
+  ChangeLog::note(slot);
 }
 
 namespace {

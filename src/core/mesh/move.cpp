@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/geometry/predicates.h"
+#include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
@@ -48,6 +49,7 @@ bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
     const std::int32_t slot = triangleOf(rim);
     save(mesh, slot, log);
     log.slots.push_back(slot);
+    ChangeLog::note(slot);
     suspects.push_back(rim);
     suspects.push_back(3 * slot + next3(cornerOf(rim)));
   }

@@ -7,6 +7,7 @@
 #include "core/geometry/circumcircle.h"
 #include "core/geometry/trig.h"
 #include "core/mesh/badness.h"
+#include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/move.h"
 #include "core/mesh/patch.h"
@@ -196,6 +197,7 @@ void translate(const MeshState& state, const Patch& patch, Remedy& remedy) {
 
 // The best treatment of the triangle, in the mesh's own numbering; none when nothing makes the patch better.
 Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor) {
+  const ChangeLog::Pause onACopy;
   thread_local Patch patch;
   thread_local Mesh started;
   extractPatch(state.mesh, slot, kPatchDepth, patch);

@@ -1,0 +1,127 @@
+#include "core/quality/running_quality.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/edit.h"
+#include "core/quality/quality.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kNone = -1e308;  // a slot without a triangle
+
+Point cornerOfSlot(const Mesh& mesh, std::int32_t slot, std::size_t i) {
+  return pointOf(mesh, triangleAt(mesh, slot).v[i]);
+}
+
+double areaOf(const Mesh& mesh, std::int32_t slot) {
+  const Point a = cornerOfSlot(mesh, slot, 0);
+  return std::fabs(cross(cornerOfSlot(mesh, slot, 1) - a, cornerOfSlot(mesh, slot, 2) - a));
+}
+
+bool helperIn(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return std::any_of(t.v.begin(), t.v.end(), [&](std::int32_t v) { return mesh.kinds[at(v)] == VertexKind::helper; });
+}
+
+double sign(std::size_t measure) { return measure == static_cast<std::size_t>(Measure::min_angle) ? -1.0 : 1.0; }
+
+}  // namespace
+
+MeasureValues measuresOf(const Mesh& mesh, std::int32_t slot) {
+  const TriangleQuality q =
+      qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2));
+  double ratio = 0.0;  // of a triangle without neighbours
+  const double own = areaOf(mesh, slot);
+  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+    if (across < 0 || helperIn(mesh, triangleOf(across))) continue;
+    const double other = areaOf(mesh, triangleOf(across));
+    ratio = std::max(ratio, std::max(own, other) / std::min(own, other));
+  }
+  return {q.aspect, ratio, q.edgeRatio, q.minAngle, q.maxAngle};
+}
+
+void RunningQuality::grow(std::size_t slots) {
+  if (slots <= capacity_) return;
+  std::size_t capacity = std::max<std::size_t>(capacity_, 64);
+  while (capacity < slots) capacity *= 2;
+  for (std::vector<double>& tree : trees_) {
+    std::vector<double> wider(2 * capacity, kNone);
+    std::copy_n(tree.begin() + static_cast<std::ptrdiff_t>(capacity_), capacity_,
+                wider.begin() + static_cast<std::ptrdiff_t>(capacity));
+    for (std::size_t k = capacity - 1; k > 0; --k) wider[k] = std::max(wider[2 * k], wider[2 * k + 1]);
+    tree = std::move(wider);
+  }
+  capacity_ = capacity;
+  obtuseAt_.resize(capacity, 0);
+  stamp_.resize(capacity, 0);
+}
+
+void RunningQuality::set(std::size_t measure, std::int32_t slot, double value) {
+  std::vector<double>& tree = trees_[measure];
+  std::size_t k = capacity_ + at(slot);
+  tree[k] = value;
+  while (k > 1) {
+    k /= 2;
+    const double larger = std::max(tree[2 * k], tree[2 * k + 1]);
+    if (tree[k] == larger) break;
+    tree[k] = larger;
+  }
+}
+
+void RunningQuality::measure(const Mesh& mesh, std::int32_t slot) {
+  if (stamp_[at(slot)] == update_) return;
+  stamp_[at(slot)] = update_;
+  std::uint8_t& state = obtuseAt_[at(slot)];
+  obtuse_ -= state & 1u;
+  triangles_ -= state >> 1u;
+  const bool counts = mesh.alive(slot) && !helperIn(mesh, slot);
+  if (!counts) {
+    state = 0;
+    for (std::size_t m = 0; m < trees_.size(); ++m) set(m, slot, kNone);
+    return;
+  }
+  const MeasureValues values = measuresOf(mesh, slot);
+  for (std::size_t m = 0; m < trees_.size(); ++m) set(m, slot, sign(m) * values[m]);
+  const bool obtuse =
+      qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2)).obtuse;
+  state = obtuse ? 3 : 2;
+  obtuse_ += obtuse ? 1 : 0;
+  ++triangles_;
+}
+
+void RunningQuality::reset(const Mesh& mesh) {
+  *this = {};
+  grow(mesh.triangles.size());
+  ++update_;
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) measure(mesh, static_cast<std::int32_t>(slot));
+}
+
+void RunningQuality::update(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
+  grow(mesh.triangles.size());
+  ++update_;
+  for (const std::int32_t slot : slots) {
+    measure(mesh, slot);
+    // A dead slot still names the neighbours it had.
+    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+      if (across >= 0) measure(mesh, triangleOf(across));
+    }
+  }
+}
+
+double RunningQuality::worst(Measure measure) const {
+  const auto m = static_cast<std::size_t>(measure);
+  if (triangles_ == 0) return measure == Measure::min_angle ? 180.0 : 0.0;
+  return sign(m) * trees_[m][1];
+}
+
+std::int32_t RunningQuality::worstSlot(Measure measure) const {
+  if (triangles_ == 0) return -1;
+  const std::vector<double>& tree = trees_[static_cast<std::size_t>(measure)];
+  std::size_t k = 1;
+  while (k < capacity_) k = tree[2 * k] == tree[k] ? 2 * k : 2 * k + 1;
+  return static_cast<std::int32_t>(k - capacity_);
+}
+
+}  // namespace triscope
