@@ -1,0 +1,29 @@
+// What every finished mesh is held to: the bounds of section 3, its domain, and the rules of a triangulation.
+#pragma once
+
+#include "core/state.h"
+
+namespace triscope::support {
+
+/// Section 3: aspect < 4.31, area ratio < 3, edge ratio < 2, all angles in (30°, 120°).
+void expectBounds(const MeshState& state);
+
+/// `validate` has nothing to report, and every triangle is counter-clockwise and exactly Delaunay across every edge
+/// that is not on the boundary.
+void expectValid(const Mesh& mesh);
+
+/// Every kept point is a vertex, bit for bit; every curve is followed from end to end by edges of the mesh with the
+/// domain on their left; nothing else is a border; the area is the polygon's to 1e-12 where every curve is a line.
+void expectFollowsDomain(const MeshState& state);
+
+/// No edge is shorter than Δx, or than the shortest kept input edge where that is shorter still.
+void expectNoShortEdge(const MeshState& state);
+
+/// Area of the mesh, and of the domain when its curves are lines, in extended precision about the domain's corner.
+long double areaOf(const MeshState& state);
+long double areaOf(const Domain& domain);
+
+/// Shortest straight piece between two kept points; infinite when every curve is bent.
+double shortestKeptEdge(const Domain& domain);
+
+}  // namespace triscope::support
