@@ -117,8 +117,8 @@ std::string captionOf(const Event& e) {
       if (e.round > 0) return fmt::format("{} begins, round {}: it {}.", stage, e.round, infoOf(e.stage).does);
       return fmt::format("{} begins: it {}.", stage, infoOf(e.stage).does);
     case EventKind::stage_finished:
-      if (e.subject == 0) return fmt::format("{} is over: it had nothing to change.", stage);
-      return fmt::format("{} is over after {}.", stage, count(e.subject, "change", "changes"));
+      if (e.subject > 0) return fmt::format("{} is over after {}.", stage, count(e.subject, "change", "changes"));
+      return fmt::format("{} is over{}.", stage, e.stage >= Stage::step1 ? ": it had nothing to change" : "");
     case EventKind::constraint_found:
       return constraint(e);
     case EventKind::cell_split:
@@ -156,11 +156,10 @@ std::string captionOf(const Event& e) {
 std::string summaryOf(const MeshState& state, const Quality& q) {
   if (state.failed)
     return fmt::format("The method stopped in {}; the mesh is shown as it was then.", infoOf(state.stage).name);
+  const std::string stage = capitalised(infoOf(state.stage).name);
   if (state.stage != Stage::finished) {
-    const std::string verb = state.cursor.begun ? "continues with" : "comes next:";
-    return fmt::format(
-        "{} {}", capitalised(infoOf(state.stage).name),
-        state.cursor.begun ? std::string("goes on.") : fmt::format("{} it {}.", verb, infoOf(state.stage).does));
+    if (state.cursor.begun) return fmt::format("{} goes on.", stage);
+    return fmt::format("{} comes next: it {}.", stage, infoOf(state.stage).does);
   }
   return fmt::format(
       "Finished after {} decisions: {} triangles, {} of them obtuse. {} of the paper: aspect {:.2f}, area ratio "

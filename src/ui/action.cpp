@@ -310,6 +310,8 @@ std::optional<Action> actionFor(int key, int mods) {
   return std::nullopt;
 }
 
+bool withCtrl(int mods) { return (mods & kCtrl) != 0; }
+
 std::string_view nameOf(Menu menu) {
   switch (menu) {
     case Menu::file:

@@ -90,6 +90,9 @@ inline const ActionInfo& infoOf(Action action) { return actions()[static_cast<st
 /// The action that a key press asks for; lock keys are ignored.
 std::optional<Action> actionFor(int key, int mods);
 
+/// Whether GLFW's modifiers contain Ctrl.
+bool withCtrl(int mods);
+
 std::string_view nameOf(Menu menu);
 /// "Ctrl+Shift+F11".
 std::string textOf(Chord chord);

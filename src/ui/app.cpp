@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/domain/read.h"
 #include "render/embedded.h"
@@ -49,14 +50,18 @@ std::string App::start(double monitorScale) {
 }
 
 void App::onKey(int key, int mods) {
-  if (const std::optional<Action> action = actionFor(key, mods)) {
-    // While text is typed only what cannot be part of it is a command.
-    const bool typing = ImGui::GetIO().WantTextInput;
-    const bool printable = key < 256 && (mods & 0x2) == 0;
-    if (typing && (printable || *action == Action::undo || *action == Action::redo)) return;
-    const bool inDialog = ui_.dialog != Dialog::none;
-    if (inDialog && *action != Action::cancel && *action != Action::quit && *action != Action::help) return;
-    pressed_.push_back(*action);
+  // While text is typed, keys without Ctrl and those that edit text are not commands; Esc always is.
+  const std::optional<Action> action = actionFor(key, mods);
+  if (!action) return;
+  const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
+  if (ImGui::GetIO().WantTextInput && edits && *action != Action::cancel) return;
+  pressed_.push_back(*action);
+}
+
+void App::performPressed() {
+  for (const Action action : std::exchange(pressed_, {})) {
+    const bool always = action == Action::cancel || action == Action::quit || action == Action::help;
+    if (ui_.dialog == Dialog::none || always) perform(action);
   }
 }
 
@@ -123,22 +128,21 @@ View App::view() {
 
 void App::frame() {
   widgets_.clear();
+  performPressed();
   Orders orders;
-  for (const Action action : pressed_) orders.emplace_back(action);
-  pressed_.clear();
-
   float menuHeight = 0.0f;
   const View shown = view();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {shown.px(8), shown.px(6)});
-  if (ImGui::BeginMainMenuBar()) {
-    ImGui::PopStyleVar();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+  const bool hasMenu = ImGui::BeginMainMenuBar();
+  ImGui::PopStyleVar(2);
+  if (hasMenu) {
     drawMenuBar(shown, orders);
     menuHeight = ImGui::GetWindowHeight();
     ImGui::EndMainMenuBar();
-  } else {
-    ImGui::PopStyleVar();
   }
-  const Layout layout = layoutOf(ImGui::GetIO().DisplaySize, menuHeight, ui_);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), ui_);
   drawPicture(layout.canvas);
   drawRegions(layout, view(), orders);
   for (const Order& order : orders) carryOut(order);
@@ -182,7 +186,7 @@ void App::drawRegions(const Layout& layout, const View& shown, Orders& orders) {
     bool sunken;
   };
   const std::array<Fixed, 4> fixed{{
-      {"##toolbar", layout.toolbar, {shown.px(10), shown.px(7)}, drawToolbar, false},
+      {"##toolbar", layout.toolbar, {shown.px(10), shown.px(8)}, drawToolbar, false},
       {"##canvas", layout.canvas, {0, 0}, drawCanvas, true},
       {"##caption", layout.caption, {shown.px(12), shown.px(9)}, drawCaption, false},
       {"##status", layout.status, {shown.px(12), shown.px(5)}, drawStatusBar, false},

@@ -51,7 +51,8 @@ class App {
   [[nodiscard]] bool animating() const { return session_.busy(); }
   /// True once a mesh is complete and nothing is under way.
   [[nodiscard]] bool settled() const { return session_.current() != nullptr && !session_.busy(); }
-  [[nodiscard]] Color background() const { return scene_.theme.background; }
+  /// What shows between the regions.
+  [[nodiscard]] Color surface() const { return themeOf(ui_.look.theme).surface; }
 
  private:
   [[nodiscard]] View view();
@@ -60,6 +61,7 @@ class App {
   void drawDialog(const View& view, Orders& orders);
   void drawPicture(const Region& region);
   void followRun();
+  void performPressed();
 
   void carryOut(const Order& order);
   void perform(Action action);

@@ -121,7 +121,7 @@ void legend(const View& view, ImVec2 corner, ImVec2 size) {
   const ImVec2 lo{corner.x + size.x - width - 3 * pad, corner.y + pad};
   const ImVec2 hi{lo.x + width + 2 * pad, lo.y + height + 2 * pad};
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(lo, hi, toImU32(faded(view.theme().surface, 0.93)), view.px(6));
+  list.AddRectFilled(lo, hi, toImU32(faded(view.theme().surface, 0.96)), view.px(6));
   list.AddRect(lo, hi, ImGui::GetColorU32(ImGuiCol_Border), view.px(6));
   ImGuiCanvas canvas(list, view.fonts);
   drawLegend(view.scene.legend, toPoint({lo.x + pad, lo.y + pad}), scale, view.theme(), canvas);

@@ -8,12 +8,15 @@
 namespace triscope {
 namespace {
 
-constexpr double kToolbar = 44.0;  // heights and widths in pixels at 100 %
-constexpr double kCaption = 78.0;
-constexpr double kStatus = 30.0;
+constexpr double kStatus = 30.0;  // heights and widths in pixels at 100 %
 constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
-constexpr double kNarrowestCanvas = 200.0;
+constexpr double kNarrowestCanvas = 260.0;
+constexpr double kNarrowLeft = 232.0;  // room for its tabs
+constexpr double kNarrowRight = 130.0;
+constexpr double kCaptionText = 1250.0;  // a long caption on one line
+constexpr double kCaptionLine = 17.0;
+constexpr double kCaptionRest = 44.0;  // its heading and padding
 
 void splitter(const View& view, Orders& orders, const char* name, const Region& region, double Appearance::* width,
               double sign) {
@@ -41,25 +44,28 @@ void splitter(const View& view, Orders& orders, const char* name, const Region& 
 
 }  // namespace
 
-Layout layoutOf(ImVec2 window, float top, const UiState& ui) {
+Layout layoutOf(ImVec2 window, float menu, float toolbar, const UiState& ui) {
   const auto px = [&ui](double at100) { return std::round(static_cast<float>(at100 * ui.scale())); };
   const float splitter = px(kSplitter);
   float left = px(ui.look.leftWidth);
   float right = px(ui.look.rightWidth);
-  const float room = window.x - 2 * splitter - px(kNarrowestCanvas);
+  const float room = std::max(0.0f, window.x - 2 * splitter - px(kNarrowestCanvas));
+  right = std::min(right, std::max(px(kNarrowRight), room - left));
+  left = std::min(left, std::max(px(kNarrowLeft), room - right));
   if (left + right > room) {
-    const float shrink = std::max(0.0f, room) / (left + right);
+    const float shrink = room / (left + right);
     left = std::floor(left * shrink);
     right = std::floor(right * shrink);
   }
-  const float y = top + px(kToolbar);
+  const float y = menu + toolbar;
   const float bottom = window.y - px(kStatus);
   const float height = std::max(1.0f, bottom - y);
   const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
-  const float caption = std::min(px(kCaption), 0.5f * height);
+  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 7.0);
+  const float caption = std::min(px(kCaptionRest + lines * kCaptionLine), 0.5f * height);
   const float x = left + splitter;
   return {
-      .toolbar = {{0, top}, {window.x, px(kToolbar)}},
+      .toolbar = {{0, menu}, {window.x, toolbar}},
       .left = {{0, y}, {left, height}},
       .right = {{x + middle + splitter, y}, {right, height}},
       .canvas = {{x, y}, {middle, height - caption}},

@@ -23,8 +23,9 @@ struct Layout {
   Region rightSplitter;
 };
 
-/// `top` is the height of the menu bar. Side panels give way before the canvas gets narrower than 200 px at 100 %.
-Layout layoutOf(ImVec2 window, float top, const UiState& ui);
+/// `menu` and `toolbar` are the heights of the bars. Side panels give way where the canvas would get too narrow, the
+/// right one first; the caption gets more lines where it is narrow.
+Layout layoutOf(ImVec2 window, float menu, float toolbar, const UiState& ui);
 
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags = 0);

@@ -35,7 +35,7 @@ void drawMeshFigures(const View& view, Orders& orders) {
   if (now->state.estimatedTriangles > 0.0)
     figure(view, "estimate by Table 1", grouped(static_cast<std::uint64_t>(now->state.estimatedTriangles + 0.5)));
   figure(view, "vertices", grouped(q.vertices));
-  figure(view, "of these on the boundary", grouped(q.boundaryVertices));
+  figure(view, "boundary vertices", grouped(q.boundaryVertices));
   figure(view, "obtuse",
          fmt::format("{}  ({:.1f} %)", grouped(q.obtuse),
                      100.0 * static_cast<double>(q.obtuse) / static_cast<double>(q.triangles)));
@@ -52,10 +52,12 @@ void drawMeshFigures(const View& view, Orders& orders) {
       {"smallest angle", fmt::format("{:.1f}°", q.minAngle), "> 30°", q.minAngle > Bounds::minAngle, {}},
       {"largest angle", fmt::format("{:.1f}°", q.maxAngle), "< 120°", q.maxAngle < Bounds::maxAngle, {}},
   }};
-  if (!ImGui::BeginTable("bounds", 4, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp)) return;
+  const bool wide = ImGui::GetContentRegionAvail().x >= view.px(230);  // room for the bounds themselves
+  if (!ImGui::BeginTable("bounds", wide ? 4 : 3, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp))
+    return;
   ImGui::TableSetupColumn("worst of", ImGuiTableColumnFlags_WidthStretch);
   ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed);
-  ImGui::TableSetupColumn("bound", ImGuiTableColumnFlags_WidthFixed);
+  if (wide) ImGui::TableSetupColumn("bound", ImGuiTableColumnFlags_WidthFixed);
   ImGui::TableSetupColumn("met", ImGuiTableColumnFlags_WidthFixed);
   for (const Row& row : rows) {
     ImGui::TableNextRow();
@@ -68,8 +70,10 @@ void drawMeshFigures(const View& view, Orders& orders) {
     }
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(row.value.c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextDisabled("%s", row.bound.c_str());
+    if (wide) {
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", row.bound.c_str());
+    }
     ImGui::TableNextColumn();
     const Color sign = row.good ? view.theme().front1 : view.theme().worstAspect;
     ImGui::TextColored(toImVec4(sign), "%s", row.good ? "\xE2\x9C\x93" : "\xE2\x9C\x97");

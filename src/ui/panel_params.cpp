@@ -29,6 +29,14 @@ Span spanOf(const SettingInfo& info, const MeshState* state) {
   return {extent * 1e-5, extent * 0.25};
 }
 
+/// Under the heading of step 6 its name need not be said again.
+std::string labelOf(const SettingInfo& info) {
+  constexpr std::string_view kStep6 = "step 6: ";
+  std::string_view label = info.label;
+  if (label.substr(0, kStep6.size()) == kStep6) label.remove_prefix(kStep6.size());
+  return std::string(label);
+}
+
 /// The control for a number; true when the value was changed.
 bool number(const SettingInfo& info, double& value, Span span) {
   if (std::holds_alternative<int Settings::*>(info.member)) {
@@ -71,17 +79,16 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
 
   if (std::holds_alternative<bool Settings::*>(info.member)) {
     bool on = before != 0.0;
-    changed = ImGui::Checkbox(std::string(info.label).c_str(), &on);
+    changed = ImGui::Checkbox(labelOf(info).c_str(), &on);
     value = on ? 1.0 : 0.0;
     note(view, name);
     tip(view, helpOf(info, {0.0, 1.0}));
   } else {
-    const std::string label =
-        info.symbol.empty() ? std::string(info.label) : fmt::format("{}  {}", info.symbol, info.label);
+    const std::string label = info.symbol.empty() ? labelOf(info) : fmt::format("{}  {}", info.symbol, labelOf(info));
     muted(view, label);
     const bool automatic = isLength(info) && before == 0.0;
     if (automatic && state != nullptr) value = state->minEdge;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - view.px(info.unit.empty() ? 34 : 86));
+    ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(92)));
     changed = number(info, value, span);
     note(view, name);
     tip(view, helpOf(info, span));

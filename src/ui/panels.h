@@ -25,6 +25,8 @@ void drawMeshFigures(const View& view, Orders& orders);
 
 // Fixed regions of the window; each fills the current Dear ImGui window.
 void drawMenuBar(const View& view, Orders& orders);
+/// Of the toolbar in a window of this width: it takes more rows where it does not fit in one.
+float toolbarHeight(const View& view, float width);
 void drawToolbar(const View& view, Orders& orders);
 void drawCanvas(const View& view, Orders& orders);
 void drawCaption(const View& view, Orders& orders);

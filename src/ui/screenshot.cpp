@@ -16,7 +16,7 @@ Status saveScreenshot(GLFWwindow* window, const std::string& path) {
   Image image(width, height, {});
   std::vector<Color> rows(image.pixels.size());
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glReadBuffer(GL_FRONT);
+  glReadBuffer(GL_BACK);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rows.data());
   for (int y = 0; y < height; ++y)  // OpenGL's rows run upwards

@@ -9,7 +9,7 @@ struct GLFWwindow;
 
 namespace triscope {
 
-/// Writes what the window shows as PNG. Errors: cannot_write.
+/// Writes the frame that has been drawn and not yet been shown as PNG. Errors: cannot_write.
 Status saveScreenshot(GLFWwindow* window, const std::string& path);
 
 }  // namespace triscope

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "render/number.h"
@@ -10,11 +11,31 @@
 namespace triscope {
 namespace {
 
-void part(const View& view, const std::string& text, float width) {
-  const float x = ImGui::GetCursorPosX();
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::SameLine(x + view.px(static_cast<double>(width)));
-}
+/// Parts from left to right, as long as there is room before `end`.
+struct Row {
+  float end;
+  float gap;
+  bool first = true;
+  /// True when a part of this width can be drawn; it then goes at the cursor.
+  bool room(float width) {
+    if (!first) ImGui::SameLine(0.0f, gap);
+    const bool fits = ImGui::GetCursorPosX() + width <= end;
+    if (!fits) end = 0.0f;
+    first = false;
+    return fits;
+  }
+  bool text(const std::string& text, float atLeast = 0.0f) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    if (!room(std::max(width, atLeast))) return false;
+    const float x = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(text.c_str());
+    if (atLeast > width) {
+      ImGui::SameLine(x + atLeast, 0.0f);
+      ImGui::Dummy({0, 0});
+    }
+    return true;
+  }
+};
 
 void bounds(const View& view, const Quality& q) {
   struct Bound {
@@ -38,22 +59,22 @@ void bounds(const View& view, const Quality& q) {
 }  // namespace
 
 void drawStatusBar(const View& view, Orders&) {
-  const Point p = view.ui.cursor.value_or(Point{});
-  part(view, view.ui.cursor ? fmt::format("x {}  y {}", compact(p.x, 5), compact(p.y, 5)) : "", 190);
-  const Snapshot* const now = view.now();
-  if (now != nullptr) {
-    part(view,
-         fmt::format("{} vertices  {} triangles", grouped(now->quality.vertices), grouped(now->quality.triangles)),
-         250);
-    if (now->quality.triangles > 0) bounds(view, now->quality);
-  }
-  if (!view.ui.message.empty()) {
-    ImGui::SameLine(0.0f, view.px(24));
-    ImGui::TextUnformatted(view.ui.message.c_str());
-    note(view, "message");
-  }
   const std::string frame = fmt::format("{:.0f} ms", view.ui.frameMs);
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(frame.c_str()).x);
+  const float frameAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(frame.c_str()).x;
+  Row row{frameAt - view.px(12), view.px(20)};
+  const Snapshot* const now = view.now();
+  if (!view.ui.message.empty()) {
+    // What was just said matters most.
+    if (row.text(view.ui.message)) note(view, "message");
+  }
+  if (now != nullptr) {
+    if (now->quality.triangles > 0 && row.room(view.px(300))) bounds(view, now->quality);
+    row.text(
+        fmt::format("{} vertices   {} triangles", grouped(now->quality.vertices), grouped(now->quality.triangles)));
+  }
+  if (view.ui.cursor)
+    row.text(fmt::format("x {}   y {}", compact(view.ui.cursor->x, 5), compact(view.ui.cursor->y, 5)));
+  ImGui::SameLine(frameAt);
   ImGui::TextDisabled("%s", frame.c_str());
   tip(view, "Time that the last frame took to make.");
 }

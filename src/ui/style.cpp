@@ -57,8 +57,8 @@ void applyStyle(const Theme& theme, float scale) {
   c[ImGuiCol_ScrollbarGrabHovered] = step(0.4);
   c[ImGuiCol_ScrollbarGrabActive] = step(0.5);
   c[ImGuiCol_CheckMark] = toImVec4(accent);
-  c[ImGuiCol_SliderGrab] = toImVec4(accent);
-  c[ImGuiCol_SliderGrabActive] = toImVec4(mix(accent, theme.text, 0.25));
+  c[ImGuiCol_SliderGrab] = tint(0.4);  // the value is written over it
+  c[ImGuiCol_SliderGrabActive] = tint(0.55);
   c[ImGuiCol_Button] = step(0.04);
   c[ImGuiCol_ButtonHovered] = tint(0.2);
   c[ImGuiCol_ButtonActive] = tint(0.4);
@@ -84,6 +84,7 @@ void applyStyle(const Theme& theme, float scale) {
   c[ImGuiCol_ModalWindowDimBg] = toImVec4(faded(rgb(0x000000), 0.35));
 
   style.ScaleAllSizes(scale);
+  // Borders grow in whole pixels.
   style.FrameBorderSize = style.WindowBorderSize = std::max(1.0f, std::floor(scale));
   ImGui::GetStyle() = style;
 }

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <array>
 
 #include "render/number.h"
 #include "ui/panels.h"
@@ -9,14 +9,35 @@
 namespace triscope {
 namespace {
 
-void gap(const View& view) {
-  ImGui::SameLine(0.0f, view.px(9));
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight();
-  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 0.15f * height}, {at.x, at.y + 0.85f * height},
-                                      ImGui::GetColorU32(ImGuiCol_Separator));
-  ImGui::Dummy({1.0f, height});
-  ImGui::SameLine(0.0f, view.px(9));
+constexpr double kTight = 3.0;   // pixels at 100 %, between buttons of a group
+constexpr double kApart = 19.0;  // between groups
+constexpr double kSpeedWidth = 150.0;
+constexpr double kPadding = 8.0;
+
+struct WorstButton {
+  Action action;
+  const char* label;
+};
+constexpr std::array<WorstButton, 3> kWorst{
+    {{Action::worst_aspect, "aspect"}, {Action::worst_area, "area"}, {Action::worst_edge, "edge"}}};
+
+float iconWidth() { return ImGui::GetFrameHeight() * 1.25f; }
+
+float iconsWidth(const View& view, int count) {
+  return static_cast<float>(count) * iconWidth() + static_cast<float>(count - 1) * view.px(kTight);
+}
+
+void speed(const View& view, Orders& orders) {
+  // On a logarithmic scale: a factor of two is the same way everywhere.
+  auto rate = static_cast<float>(view.ui.speed);
+  ImGui::SetNextItemWidth(view.px(kSpeedWidth));
+  const std::string text = fmt::format("{} per s", compact(view.ui.speed));
+  if (ImGui::SliderFloat("##speed", &rate, 1.0f, 100000.0f, text.c_str(),
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp))
+    orders.emplace_back(order::SetSpeed{static_cast<double>(rate)});
+  note(view, "speed");
+  tip(view, "How many decisions a second playing makes.\nKeys: " + keysOf(infoOf(Action::slower)) + " slower, " +
+                keysOf(infoOf(Action::faster)) + " faster");
 }
 
 void transport(const View& view, Orders& orders) {
@@ -36,40 +57,24 @@ void transport(const View& view, Orders& orders) {
                                    {Action::to_end, Icon::to_end}}};
   for (const Button& button : row) {
     actionButton(view, orders, button.action, button.icon);
-    ImGui::SameLine(0.0f, view.px(3));
+    ImGui::SameLine(0.0f, view.px(kTight));
   }
-}
-
-void speed(const View& view, Orders& orders) {
-  // On a logarithmic scale: a factor of two is the same way everywhere.
-  auto rate = static_cast<float>(view.ui.speed);
-  ImGui::SetNextItemWidth(view.px(150));
-  const std::string text = fmt::format("{} per s", compact(view.ui.speed));
-  if (ImGui::SliderFloat("##speed", &rate, 1.0f, 100000.0f, text.c_str(),
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoInput | ImGuiSliderFlags_AlwaysClamp))
-    orders.emplace_back(order::SetSpeed{static_cast<double>(rate)});
-  note(view, "speed");
-  tip(view, "How many decisions a second playing makes.\nKeys: " + keysOf(infoOf(Action::slower)) + " slower, " +
-                keysOf(infoOf(Action::faster)) + " faster");
-}
-
-}  // namespace
-
-void drawToolbar(const View& view, Orders& orders) {
-  actionButton(view, orders, Action::open, Icon::open);
-  ImGui::SameLine(0.0f, view.px(3));
-  actionButton(view, orders, Action::reload, Icon::reload);
-  gap(view);
-  transport(view, orders);
   speed(view, orders);
-  gap(view);
+}
+
+void file(const View& view, Orders& orders) {
+  actionButton(view, orders, Action::open, Icon::open);
+  ImGui::SameLine(0.0f, view.px(kTight));
+  actionButton(view, orders, Action::reload, Icon::reload);
+}
+
+void look(const View& view, Orders& orders) {
   actionButton(view, orders, Action::fit, Icon::fit);
-  ImGui::SameLine(0.0f, view.px(9));
+  ImGui::SameLine(0.0f, view.px(3 * kTight));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Worst");
-  for (const auto& [action, label] : {std::pair{Action::worst_aspect, "aspect"}, std::pair{Action::worst_area, "area"},
-                                      std::pair{Action::worst_edge, "edge"}}) {
-    ImGui::SameLine(0.0f, view.px(4));
+  for (const auto& [action, label] : kWorst) {
+    ImGui::SameLine(0.0f, view.px(kTight));
     const std::string reason = whyNot(action, view);
     const ActionInfo& info = infoOf(action);
     ImGui::BeginDisabled(!reason.empty());
@@ -78,8 +83,58 @@ void drawToolbar(const View& view, Orders& orders) {
     note(view, info.key, reason.empty());
     tip(view, std::string(info.help) + "\nKeys: " + keysOf(info) + (reason.empty() ? "" : "\nNot now: " + reason));
   }
-  gap(view);
-  actionButton(view, orders, Action::save_picture, Icon::camera);
+}
+
+float lookWidth(const View& view) {
+  float width = iconWidth() + view.px(3 * kTight) + ImGui::CalcTextSize("Worst").x;
+  for (const WorstButton& button : kWorst)
+    width += view.px(kTight) + ImGui::CalcTextSize(button.label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  return width;
+}
+
+void picture(const View& view, Orders& orders) { actionButton(view, orders, Action::save_picture, Icon::camera); }
+
+/// Buttons that stay together; where the window is too narrow for all groups they go on in another row.
+struct Group {
+  float width;
+  void (*draw)(const View&, Orders&);
+};
+std::array<Group, 4> groupsOf(const View& view) {
+  return {{{iconsWidth(view, 2), file},
+           {iconsWidth(view, 9) + view.px(kTight + kSpeedWidth), transport},
+           {lookWidth(view), look},
+           {iconsWidth(view, 1), picture}}};
+}
+
+}  // namespace
+
+float toolbarHeight(const View& view, float width) {
+  const float row = ImGui::GetFrameHeight() + view.px(kPadding);
+  float height = row + view.px(kPadding);
+  float x = 0.0f;
+  for (const Group& group : groupsOf(view)) {
+    if (x > 0.0f && x + view.px(kApart) + group.width > width - view.px(20)) {
+      height += row;
+      x = 0.0f;
+    }
+    x += (x > 0.0f ? view.px(kApart) : 0.0f) + group.width;
+  }
+  return height;
+}
+
+void drawToolbar(const View& view, Orders& orders) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  float x = 0.0f;
+  for (const Group& group : groupsOf(view)) {
+    if (x > 0.0f && x + view.px(kApart) + group.width <= width) {
+      ImGui::SameLine(0.0f, view.px(kApart));
+      x += view.px(kApart);
+    } else {
+      x = 0.0f;
+    }
+    group.draw(view, orders);
+    x += group.width;
+  }
 }
 
 }  // namespace triscope

@@ -8,7 +8,9 @@ namespace triscope {
 
 void note(const View& view, std::string_view name, bool enabled) {
   if (view.widgets == nullptr) return;
-  view.widgets->push_back({std::string(name), ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled});
+  const ImVec2 lo = ImGui::GetItemRectMin();
+  const ImVec2 hi = ImGui::GetItemRectMax();
+  if (hi.x > lo.x && hi.y > lo.y && lo.x + hi.x > 0.0f) view.widgets->push_back({std::string(name), lo, hi, enabled});
 }
 
 void tip(const View& view, const std::string& text) {
@@ -72,7 +74,12 @@ void figure(const View& view, const char* label, const std::string& value, Color
   ImGui::TextUnformatted(label);
   ImGui::PopStyleColor();
   const float width = ImGui::CalcTextSize(value.c_str()).x;
-  ImGui::SameLine(std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - width));
+  const float right = ImGui::GetContentRegionMax().x - width;
+  // Beside the label where there is room, else on a line of its own.
+  if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(label).x + view.px(8) <= right)
+    ImGui::SameLine(right);
+  else
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
   ImGui::PushStyleColor(ImGuiCol_Text, toImU32(valueColor));
   ImGui::TextUnformatted(value.c_str());
   ImGui::PopStyleColor();

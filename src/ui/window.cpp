@@ -106,7 +106,8 @@ void waitForWork(const LoopState& loop) {
     glfwWaitEvents();
 }
 
-void drawFrame(GLFWwindow* window, App& app) {
+/// `screenshot`: where to write the frame; empty for nowhere.
+Status drawFrame(GLFWwindow* window, App& app, const std::string& screenshot) {
   const auto start = Clock::now();
   if (app.prepareFrame()) {
     ImGui_ImplOpenGL3_DestroyFontsTexture();
@@ -121,10 +122,15 @@ void drawFrame(GLFWwindow* window, App& app) {
   glfwGetFramebufferSize(window, &width, &height);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width, height);
+  const Color bare = app.surface();
+  glClearColor(static_cast<float>(bare.r) / 255.0f, static_cast<float>(bare.g) / 255.0f,
+               static_cast<float>(bare.b) / 255.0f, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+  Status saved = screenshot.empty() ? success() : saveScreenshot(window, screenshot);
   glfwSwapBuffers(window);
   app.finishFrame(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+  return saved;
 }
 
 int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& options) {
@@ -137,10 +143,10 @@ int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& 
     if (!options.screenshot.empty()) loop.framesWanted = kFramesAfterEvent;
     if (loop.framesWanted <= 0) continue;
     --loop.framesWanted;
-    drawFrame(window, app);
-    if (options.screenshot.empty() || !app.settled() || ++framesSettled < 2 * kFramesAfterEvent) continue;
-    const Status saved = saveScreenshot(window, options.screenshot);
-    return saved ? 0 : fail(saved.error().code, describe(saved.error()));
+    const bool last = !options.screenshot.empty() && app.settled() && ++framesSettled == 2 * kFramesAfterEvent;
+    const Status saved = drawFrame(window, app, last ? options.screenshot : std::string());
+    if (!saved) return fail(saved.error().code, describe(saved.error()));
+    if (last) break;
   }
   return 0;
 }
