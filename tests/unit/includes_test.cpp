@@ -32,6 +32,7 @@ constexpr std::array kLayers{
     Layer{"core/caption", 11},
     Layer{"core/io/", 12},
     Layer{"core/history/", 13},
+    Layer{"core/debug/", 13},
     Layer{"core/session", 14},
     Layer{"render/", 15},
     Layer{"ui/", 16},

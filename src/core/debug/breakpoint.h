@@ -1,0 +1,69 @@
+// Breakpoints, and running to them: forwards from a state, backwards through a history.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/debug/condition.h"
+#include "core/history/history.h"
+#include "core/mesh/change_log.h"
+
+namespace triscope {
+
+struct Breakpoint {
+  enum class Action : std::uint8_t { stop, log, mark };
+  Condition condition;
+  Action action = Action::stop;
+  bool enabled = true;
+};
+
+/// A breakpoint that was met: right after decision `tick`.
+struct Hit {
+  std::uint64_t tick = 0;
+  std::size_t breakpoint = 0;  // index into the list
+  Event event;
+};
+
+/// Carries a state on one decision at a time and tells which breakpoints each decision meets. A condition on the mesh
+/// alone is met when it becomes true; one that asks about events is met at each event that it holds for.
+class Watch {
+ public:
+  Watch(MeshState& state, std::span<const Breakpoint> breakpoints);
+
+  /// One decision. False when the run is over. The hits of that decision, of every action, are in `hits`.
+  bool step(std::vector<Hit>& hits);
+
+  /// Events of the last decision.
+  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] const RunningQuality& quality() const { return quality_; }
+
+ private:
+  [[nodiscard]] std::uint8_t brokenNow() const;
+
+  MeshState& state_;
+  std::span<const Breakpoint> breakpoints_;
+  RunningQuality quality_;
+  ChangeLog changes_;
+  std::vector<Event> events_;
+  std::vector<std::uint8_t> held_;  // per breakpoint: its condition held before this decision
+  std::uint64_t sinceInsertion_ = 0;
+};
+
+/// Carries the state on to the first decision that meets an enabled breakpoint whose action is stop; the state is then
+/// right after that decision. Nothing when the run ends first, or `cancel` becomes true. Log and mark hits on the way
+/// are appended to `passed`.
+std::optional<Hit> continueForward(MeshState& state, std::span<const Breakpoint> breakpoints, std::vector<Hit>& passed,
+                                   const std::atomic<bool>& cancel);
+
+/// The last decision before `tick` that meets a breakpoint whose action is stop.
+std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, std::span<const Breakpoint> breakpoints,
+                                    const std::atomic<bool>& cancel);
+
+/// The first decision after which a validity rule is broken, or, once steps 1-5 are over, a bound of section 3.
+/// The breakpoints that firstViolation runs with: one per rule, so that Hit::breakpoint names it.
+std::vector<Breakpoint> violationBreakpoints();
+
+}  // namespace triscope
