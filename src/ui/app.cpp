@@ -122,8 +122,13 @@ bool App::prepareFrame() {
 }
 
 View App::view() {
-  return {
-      session_, ui_, scene_, fonts_, renderer_ ? renderer_->texture() : 0, stateFile_.wanted() ? &widgets_ : nullptr};
+  return {session_,
+          ui_,
+          scene_,
+          fonts_,
+          renderer_ ? renderer_->texture() : 0,
+          legendOnCanvas_,
+          stateFile_.wanted() ? &widgets_ : nullptr};
 }
 
 void App::frame() {
@@ -142,7 +147,8 @@ void App::frame() {
     ImGui::EndMainMenuBar();
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), ui_);
+  const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
+  legendOnCanvas_ = layout.legend.size.y <= 0.0f;
   drawPicture(layout.canvas);
   drawRegions(layout, view(), orders);
   for (const Order& order : orders) carryOut(order);
@@ -194,6 +200,10 @@ void App::drawRegions(const Layout& layout, const View& shown, Orders& orders) {
   for (const Fixed& part : fixed) {
     const ImGuiWindowFlags flags = part.sunken ? ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground : 0;
     if (beginRegion(part.name, part.region, part.padding, flags)) part.draw(shown, orders);
+    ImGui::End();
+  }
+  if (layout.legend.size.y > 0.0f) {
+    if (beginRegion("##legend", layout.legend, {0, 0})) drawLegendRegion(shown, orders);
     ImGui::End();
   }
   drawSide("##left", Side::left, layout.left, shown, orders);

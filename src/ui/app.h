@@ -103,6 +103,7 @@ class App {
   std::string wantedTab_;   // to be brought to the front
   std::string exportPath_;  // being written
   bool fitted_ = true;      // the camera shows the whole domain, and is to go on doing so
+  bool legendOnCanvas_ = false;
   bool closing_ = false;
   std::uint64_t frames_ = 0;
   std::chrono::steady_clock::time_point lastChange_{};

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/density/quadtree.h"
-#include "render/legend_panel.h"
 #include "render/picture.h"
 #include "ui/imgui_canvas.h"
 #include "ui/panels.h"
@@ -109,24 +108,6 @@ void mouse(const View& view, Orders& orders, ImVec2 corner) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("canvas menu");
 }
 
-void legend(const View& view, ImVec2 corner, ImVec2 size) {
-  if (!view.ui.look.legend || view.scene.legend.empty()) return;
-  const double scale = view.ui.scale();
-  const LegendSize needed = legendSize(view.scene.legend, scale);
-  const auto width = static_cast<float>(needed.width);
-  const auto height = static_cast<float>(needed.height);
-  const float pad = view.px(10);
-  // Where it would cover most of the picture, the picture matters more.
-  if (width + 4 * pad > 0.6f * size.x || height + 4 * pad > size.y) return;
-  const ImVec2 lo{corner.x + size.x - width - 3 * pad, corner.y + pad};
-  const ImVec2 hi{lo.x + width + 2 * pad, lo.y + height + 2 * pad};
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(lo, hi, toImU32(faded(view.theme().surface, 0.96)), view.px(6));
-  list.AddRect(lo, hi, ImGui::GetColorU32(ImGuiCol_Border), view.px(6));
-  ImGuiCanvas canvas(list, view.fonts);
-  drawLegend(view.scene.legend, toPoint({lo.x + pad, lo.y + pad}), scale, view.theme(), canvas);
-}
-
 void labels(const View& view, ImVec2 corner) {
   ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
   const double scale = view.ui.scale();
@@ -179,7 +160,7 @@ void drawCanvas(const View& view, Orders& orders) {
   list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
   mouse(view, orders, corner);
   labels(view, corner);
-  legend(view, corner, size);
+  if (view.legendOnCanvas) overlayLegend(view, corner, size);
   list.PopClipRect();
   contextMenu(view, orders, corner);
   progress(view, orders, corner, size);

@@ -37,8 +37,13 @@ void drawCaption(const View& view, Orders&) {
     ImGui::TextUnformatted(title.c_str());
     ImGui::PopFont();
     ImGui::SameLine();
-    ImGui::TextDisabled("decision %s%s", grouped(now->state.tick).c_str(),
-                        info.figure.empty() ? "" : fmt::format("   {}", info.figure).c_str());
+    ImGui::TextDisabled("decision %s", grouped(now->state.tick).c_str());
+    const std::string figureName(info.figure);
+    ImGui::SameLine(0.0f, view.px(16));
+    if (ImGui::CalcTextSize(figureName.c_str()).x <= ImGui::GetContentRegionAvail().x)
+      ImGui::TextDisabled("%s", figureName.c_str());
+    else
+      ImGui::NewLine();
   }
   const std::string caption = captionNow(view);
   ImGui::PushTextWrapPos(0.0f);

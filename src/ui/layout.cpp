@@ -13,7 +13,7 @@ constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
 constexpr double kNarrowestCanvas = 260.0;
 constexpr double kNarrowLeft = 232.0;  // room for its tabs
-constexpr double kNarrowRight = 130.0;
+constexpr double kNarrowRight = 150.0;
 constexpr double kCaptionText = 1250.0;  // a long caption on one line
 constexpr double kCaptionLine = 17.0;
 constexpr double kCaptionRest = 44.0;  // its heading and padding
@@ -44,7 +44,7 @@ void splitter(const View& view, Orders& orders, const char* name, const Region& 
 
 }  // namespace
 
-Layout layoutOf(ImVec2 window, float menu, float toolbar, const UiState& ui) {
+Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const UiState& ui) {
   const auto px = [&ui](double at100) { return std::round(static_cast<float>(at100 * ui.scale())); };
   const float splitter = px(kSplitter);
   float left = px(ui.look.leftWidth);
@@ -61,16 +61,19 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, const UiState& ui) {
   const float bottom = window.y - px(kStatus);
   const float height = std::max(1.0f, bottom - y);
   const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
-  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 7.0);
+  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 5.0);
   const float caption = std::min(px(kCaptionRest + lines * kCaptionLine), 0.5f * height);
   const float x = left + splitter;
+  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.5f * height;
+  const float foot = legendFits ? legend.y : 0.0f;
   return {
       .toolbar = {{0, menu}, {window.x, toolbar}},
       .left = {{0, y}, {left, height}},
-      .right = {{x + middle + splitter, y}, {right, height}},
+      .right = {{x + middle + splitter, y}, {right, height - foot}},
       .canvas = {{x, y}, {middle, height - caption}},
       .caption = {{x, bottom - caption}, {middle, caption}},
       .status = {{0, bottom}, {window.x, px(kStatus)}},
+      .legend = {{x + middle + splitter, bottom - foot}, {legendFits ? right : 0.0f, foot}},
       .leftSplitter = {{left, y}, {splitter, height}},
       .rightSplitter = {{x + middle, y}, {splitter, height}},
   };

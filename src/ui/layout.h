@@ -19,13 +19,14 @@ struct Layout {
   Region canvas;
   Region caption;
   Region status;
+  Region legend;  // at the foot of the right column; empty where it has no room there
   Region leftSplitter;
   Region rightSplitter;
 };
 
 /// `menu` and `toolbar` are the heights of the bars. Side panels give way where the canvas would get too narrow, the
-/// right one first; the caption gets more lines where it is narrow.
-Layout layoutOf(ImVec2 window, float menu, float toolbar, const UiState& ui);
+/// right one first; the caption gets more lines where it is narrow. `legend` is the size it needs, 0 when hidden.
+Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const UiState& ui);
 
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags = 0);

@@ -33,5 +33,10 @@ void drawCaption(const View& view, Orders& orders);
 /// The sentence that the caption shows.
 std::string captionNow(const View& view);
 void drawStatusBar(const View& view, Orders& orders);
+void drawLegendRegion(const View& view, Orders& orders);
+/// The legend over a picture with this upper left corner and size.
+void overlayLegend(const View& view, ImVec2 corner, ImVec2 size);
+/// Size of the legend with its padding; zero when there is none to show.
+ImVec2 legendNeeds(const View& view);
 
 }  // namespace triscope

@@ -54,6 +54,7 @@ struct View {
   const Scene& scene;
   const Fonts& fonts;
   unsigned canvasTexture = 0;
+  bool legendOnCanvas = false;                 // it has no place of its own
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
   [[nodiscard]] const Theme& theme() const { return scene.theme; }

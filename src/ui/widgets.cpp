@@ -70,13 +70,12 @@ void figure(const View& view, const char* label, const std::string& value) {
 }
 
 void figure(const View& view, const char* label, const std::string& value, Color valueColor) {
-  ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().textMuted));
-  ImGui::TextUnformatted(label);
-  ImGui::PopStyleColor();
+  const float from = ImGui::GetCursorPosX();
+  muted(view, label);
   const float width = ImGui::CalcTextSize(value.c_str()).x;
   const float right = ImGui::GetContentRegionMax().x - width;
   // Beside the label where there is room, else on a line of its own.
-  if (ImGui::GetCursorPosX() + ImGui::CalcTextSize(label).x + view.px(8) <= right)
+  if (from + ImGui::CalcTextSize(label).x + view.px(8) <= right)
     ImGui::SameLine(right);
   else
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), right));
