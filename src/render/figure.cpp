@@ -41,26 +41,45 @@ Status save(const std::string& path, std::string_view bytes) {
   return file->commit();
 }
 
-constexpr std::array<FigurePreset, 10> kPresets{{
-    {"1a", Stage::constraints, 0, "The density constraints: the points of large curvature ask for the shortest edges.",
-     CellColoring::none},
-    {"1b", Stage::quadtree, 0, "The quadtree, split until each cell may hold its density rank, and balanced.",
-     CellColoring::rank},
-    {"1c", Stage::density, 24, "The advancing front has begun to spread the ranks from the densest cells.",
-     CellColoring::rank},
-    {"1d", Stage::density, 0, "The final quadtree with the four types of cells.", CellColoring::type},
-    {"4a", Stage::boundary, 0, "Points along the object and the outer boundary, one per edge length.",
-     CellColoring::none},
-    {"4b", Stage::carve, 0, "Triangulation of the boundary points, without the triangles outside.", CellColoring::none},
-    {"4c", Stage::front2, 0, "After two fronts of points near the boundaries.", CellColoring::none},
-    {"4d", Stage::step1, 0, "After step 1.", CellColoring::none},
-    {"4e", Stage::step5, 0, "After rounds of steps 2 to 5, without local refinements.", CellColoring::none},
-    {"4f", Stage::refine, 0, "After step 6, the local refinements.", CellColoring::none},
+using Cells = CellColoring;
+constexpr std::string_view kBlunt = "blunt_body";
+constexpr std::string_view kAirfoil = "three_element_airfoil";
+// clang-format off
+constexpr std::array<FigurePreset, 13> kPresets{{
+    {"1a", kBlunt, Stage::constraints, 0, "", Cells::none, "Density constraints: what is strongly curved asks for the shortest edges."},
+    {"1b", kBlunt, Stage::quadtree, 0, "", Cells::rank, "The quadtree, split until each cell may hold its density rank, and balanced."},
+    {"1c", kBlunt, Stage::density, 24, "", Cells::rank, "An advancing front has begun to spread the ranks from the densest cells."},
+    {"1d", kBlunt, Stage::density, 0, "", Cells::type, "The final quadtree and its types of cells."},
+    {"4a", kBlunt, Stage::boundary, 0, "", Cells::none, "Points along the object and the outer boundary, one per edge length."},
+    {"4b", kBlunt, Stage::carve, 0, "", Cells::none, "Triangulation of the boundary points, without the triangles outside."},
+    {"4c", kBlunt, Stage::front2, 0, "", Cells::none, "Two fronts of points near the boundaries."},
+    {"4d", kBlunt, Stage::step1, 0, "", Cells::none, "After step 1."},
+    {"4e", kBlunt, Stage::step5, 0, "", Cells::none, "After the rounds of steps 2 to 5, without local refinements."},
+    {"4f", kBlunt, Stage::refine, 0, "", Cells::none, "After step 6, the local refinements."},
+    {"5a", kAirfoil, Stage::refine, 0, "", Cells::none, "The three-element airfoil, the whole mesh."},
+    {"5b", kAirfoil, Stage::refine, 0, "slat", Cells::none, "The mesh near the slat."},
+    {"5c", kAirfoil, Stage::refine, 0, "flap", Cells::none, "The mesh near the flap."},
 }};
+// clang-format on
 
 }  // namespace
 
 std::span<const FigurePreset> figurePresets() { return kPresets; }
+
+std::optional<Box> regionAround(const Domain& domain, std::string_view loop) {
+  for (const Loop& candidate : domain.loops) {
+    if (candidate.name != loop) continue;
+    constexpr int kSamples = 64;  // per curve
+    Box box;
+    for (std::uint32_t i = 0; i < candidate.curveCount; ++i) {
+      const Curve& curve = domain.curves[candidate.firstCurve + i];
+      for (int k = 0; k <= kSamples; ++k) box.include(pointAt(curve, static_cast<double>(k) / kSamples));
+    }
+    const double margin = 0.25 * std::max(box.width(), box.height());
+    return Box{{box.lo.x - margin, box.lo.y - margin}, {box.hi.x + margin, box.hi.y + margin}};
+  }
+  return std::nullopt;
+}
 
 ViewOptions figureView(Stage stage) {
   ViewOptions view;

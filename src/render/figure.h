@@ -35,12 +35,18 @@ Status writeFigure(const std::string& path, const MeshState& state, const ViewOp
 
 /// One figure of the paper: run the first `decisions` decisions of `stage` (0: all of it), then draw.
 struct FigurePreset {
-  std::string_view name;  // "1a"
+  std::string_view name;    // "1a"
+  std::string_view domain;  // name of the sample that it shows
   Stage stage = Stage::finished;
   std::uint64_t decisions = 0;
-  std::string_view caption;  // our words
+  std::string_view loop;  // show what lies around this loop only; empty: everything
   CellColoring cells = CellColoring::rank;
+  std::string_view caption;  // our words
 };
+/// In the order in which one run of each domain comes by them.
 std::span<const FigurePreset> figurePresets();
+
+/// What is around a loop: its box and a quarter of its size on every side. None when no loop has that name.
+std::optional<Box> regionAround(const Domain& domain, std::string_view loop);
 
 }  // namespace triscope

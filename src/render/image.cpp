@@ -1,9 +1,11 @@
 #include "render/image.h"
 
+#include <cmath>
+
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STB_IMAGE_WRITE_STATIC
 #define STBI_WRITE_NO_STDIO
-#include <stb_image_write.h>
+#include <stb_image_write.h>  // NOLINT(clang-analyzer-*): findings within are not ours
 
 namespace triscope {
 
@@ -16,10 +18,10 @@ Color blend(Color below, Color over, float coverage) {
   const float total = a + b * (1.0f - a);
   const auto channel = [&](std::uint8_t top, std::uint8_t bottom) {
     const float c = (static_cast<float>(top) * a + static_cast<float>(bottom) * b * (1.0f - a)) / total;
-    return static_cast<std::uint8_t>(c + 0.5f);
+    return static_cast<std::uint8_t>(std::lround(c));
   };
   return {channel(over.r, below.r), channel(over.g, below.g), channel(over.b, below.b),
-          static_cast<std::uint8_t>(total * 255.0f + 0.5f)};
+          static_cast<std::uint8_t>(std::lround(total * 255.0f))};
 }
 
 Result<std::string> encodePng(const Image& image) {

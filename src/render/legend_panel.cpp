@@ -108,6 +108,7 @@ class Panel {
     text({at.x, at.y + 13.0 * s_}, item.label, kText, theme_.text, Anchor::left, Weight::semibold);
     const Rect bar{at.x, at.y + 19.0 * s_, kRampWidth * s_, 11.0 * s_};
     std::vector<FilledRect> rects;
+    rects.reserve(item.ramp.size());
     const double step = bar.width / static_cast<double>(std::max<std::size_t>(1, item.ramp.size()));
     for (std::size_t i = 0; i < item.ramp.size(); ++i) {
       rects.push_back({{bar.x + step * static_cast<double>(i), bar.y, step, bar.height}, item.ramp[i]});

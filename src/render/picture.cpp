@@ -257,19 +257,25 @@ PictureLayout layoutWithin(double width, double height, double aspect, const Sce
                            const PictureOptions& options) {
   const double s = options.scale;
   const Margins m = marginsOf(scene, options);
-  std::vector<std::string> lines = brokenIntoLines(options.caption, width - 2.0 * kPadding * s, kCaptionSize * s);
-  double plotWidth = std::max(16.0, width - kPadding * s - m.right);
-  const double below = kCaptionLine * s * static_cast<double>(lines.size());
-  double plotHeight = std::max(16.0, height - m.top - m.bottom - below);
-  const double allWidth = plotWidth;
-  if (aspect > 0.0) {
-    plotWidth = std::max(std::min(plotWidth, plotHeight * aspect), std::min(plotWidth, 240.0 * s));
-    plotHeight = std::max(std::min(plotHeight, plotWidth / aspect), std::min(plotHeight, 120.0 * s));
+  const double allWidth = std::max(16.0, width - kPadding * s - m.right);
+  PictureLayout layout;
+  // The caption is as wide as the plot and the legend, the plot as high as the caption leaves it: two goes settle it.
+  double left = kPadding * s;
+  for (int go = 0; go < 2; ++go) {
+    std::vector<std::string> lines = brokenIntoLines(options.caption, width - 2.0 * left, kCaptionSize * s);
+    const double below = kCaptionLine * s * static_cast<double>(lines.size());
+    double plotWidth = allWidth;
+    double plotHeight = std::max(16.0, height - m.top - m.bottom - below);
+    if (aspect > 0.0) {
+      plotWidth = std::max(std::min(plotWidth, plotHeight * aspect), std::min(plotWidth, 240.0 * s));
+      plotHeight = std::max(std::min(plotHeight, plotWidth / aspect), std::min(plotHeight, 120.0 * s));
+    }
+    layout = assemble(m, plotWidth, plotHeight, options, std::move(lines));
+    const double spare = 0.5 * (allWidth - plotWidth);
+    layout.plot.x += spare;
+    layout.legend.x += spare;
+    left = layout.plot.x;
   }
-  PictureLayout layout = assemble(m, plotWidth, plotHeight, options, std::move(lines));
-  const double spare = 0.5 * (allWidth - plotWidth);
-  layout.plot.x += spare;
-  layout.legend.x += spare;
   layout.width = width;
   layout.height = height;
   return layout;
@@ -298,7 +304,7 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
       const Point anchor = toPixel(camera, label.at);
       if (misses(anchor, anchor, {0.0, 0.0, camera.width, camera.height})) continue;
       const double size = static_cast<double>(label.size) * scale;
-      const double width = textWidth(label.text, size);
+      const double width = textWidth(label.text, size, Weight::semibold);
       const double dx = static_cast<double>(label.dx) * scale;
       const double dy = static_cast<double>(label.dy) * scale;
       const double start = label.anchor == Anchor::left ? 0.0 : label.anchor == Anchor::centre ? 0.5 * width : width;
@@ -346,7 +352,7 @@ void drawPicture(const Scene& scene, const Camera& camera, const PictureLayout& 
   for (const PlacedLabel& placed : placeLabels(scene, camera, s)) {
     const Label& label = *placed.label;
     canvas.text({layout.plot.x + placed.at.x, layout.plot.y + placed.at.y}, label.text,
-                {static_cast<double>(label.size) * s, Weight::regular, label.color, label.halo, Anchor::left});
+                {static_cast<double>(label.size) * s, Weight::semibold, label.color, label.halo, Anchor::left});
   }
   canvas.endClip();
 

@@ -101,6 +101,7 @@ constexpr float markSize(float size, double spacingInPixels) {
   return room >= size ? size : room > 2.0f ? room : 2.0f;
 }
 
+/// Drawn semibold.
 struct Label {
   Point at;         // world
   float dx = 0.0f;  // pixels to the right of it

@@ -105,8 +105,10 @@ void buildConstraints(const SceneInput& in, Layer& layer) {
     batch.outline = in.theme.background;
     for (const Constraint& constraint : in.state.constraints) {
       if (constraint.source != style.source) continue;
+      // Constraints come in order along a curve: the one before is the nearest, or as good as.
+      const double gap = batch.at.empty() ? 1e300 : 2.0 * distance(batch.at.back(), constraint.at);
       batch.at.push_back(constraint.at);
-      batch.spacing.push_back(static_cast<float>(2.0 * constraint.length));
+      batch.spacing.push_back(static_cast<float>(std::min(2.0 * constraint.length, gap)));
     }
     if (!batch.at.empty()) layer.marks.push_back(std::move(batch));
   }

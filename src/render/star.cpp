@@ -5,12 +5,14 @@
 namespace triscope {
 std::vector<std::int32_t> slotsOf(const Star& star) {
   std::vector<std::int32_t> slots;
+  slots.reserve(star.rim.size());
   for (const std::int32_t half : star.rim) slots.push_back(triangleOf(half));
   return slots;
 }
 
 std::vector<std::int32_t> rimVertices(const Mesh& mesh, const Star& star) {
   std::vector<std::int32_t> rim;
+  rim.reserve(star.rim.size() + 1);
   for (const std::int32_t half : star.rim) rim.push_back(startOf(mesh, half));
   if (!star.closed && !star.rim.empty()) rim.push_back(endOf(mesh, star.rim.back()));
   return rim;

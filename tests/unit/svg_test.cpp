@@ -121,7 +121,7 @@ TEST(Layout, KeepsThePlotTheLegendAndTheCaptionApart) {
       EXPECT_GT(l.plot.width, 0.0);
       EXPECT_GT(l.plot.height, 0.0);
       EXPECT_LE(l.plot.y + l.plot.height + 18.0 * static_cast<double>(l.captionLines.size()), 700.0);
-      for (const std::string& line : l.captionLines) EXPECT_LE(textWidth(line, 12.5), width);
+      for (const std::string& line : l.captionLines) EXPECT_LE(l.plot.x + textWidth(line, 12.5), width);
     }
   }
   const PictureLayout around = layoutAround(Camera{{0, 0}, 1.0, 640.0, 480.0}, scene, options);
@@ -199,14 +199,27 @@ TEST_F(FigureFile, RefusesWhatItCannotDo) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(FigureFile, ThePapersFiguresComeFromOneTable) {
-  ASSERT_EQ(figurePresets().size(), 10u);
+TEST(Figures, ThePapersComeFromOneTable) {
+  EXPECT_EQ(figurePresets().size(), 13u);
+  std::string_view domain;
   Stage before = Stage::constraints;
   for (const FigurePreset& preset : figurePresets()) {
+    if (preset.domain != domain) before = Stage::constraints;
+    domain = preset.domain;
     EXPECT_GE(preset.stage, before) << preset.name << ": one run draws them in order";
     before = preset.stage;
-    EXPECT_FALSE(preset.caption.empty());
+    const auto read = readDomain(std::string(TRISCOPE_SOURCE_DIR "/assets/domains/") + std::string(domain) + ".json");
+    ASSERT_TRUE(read.ok()) << preset.name;
+    EXPECT_EQ(regionAround(*read, preset.loop).has_value(), !preset.loop.empty()) << preset.name;
   }
+}
+
+TEST(Figures, TheRegionAroundALoopHoldsIt) {
+  const MeshState state = sample::start(sample::kFrame);
+  const auto region = regionAround(*state.domain, "hole 1");
+  ASSERT_TRUE(region.has_value());
+  EXPECT_EQ(region->lo, (Point{-3.0, -3.0}));
+  EXPECT_EQ(region->hi, (Point{3.0, 3.0}));
 }
 
 }  // namespace
