@@ -64,11 +64,12 @@ Trial tryMove(MeshState& state, Rule rule, std::int32_t vertex, Point to) {
     undoMove(mesh, moveLog);
     was = badnessOf(mesh, moveLog.slots);
   }
-  const Refusal refusal = judge(rule, was, is, state.minEdge);
+  const double finest = state.tree.minEdge;  // Δx, or less where the input itself is finer
+  const Refusal refusal = judge(rule, was, is, finest);
   if (refusal == Refusal::none && flipped) moveVertex(mesh, vertex, to, moveLog);
   if (refusal != Refusal::none && !flipped) undoMove(mesh, moveLog);
   const bool byEdge = refusal == Refusal::edge_below_minimum;
-  return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? state.minEdge : was.worst};
+  return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? finest : was.worst};
 }
 
 Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t subject, std::int32_t vertex,
