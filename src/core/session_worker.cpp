@@ -29,12 +29,15 @@ std::size_t bytesOf(const MeshState& s) {
          bytesOf(s.cursor.worklist) + bytesOf(s.cursor.next);
 }
 
+bool refines(const Settings& s) { return s.laplacian || s.reduceObtuse || s.sharedEdge; }
+
 /// First stage that the difference between two settings can matter to; `finished` when they are the same.
 Stage firstAffected(const Settings& a, const Settings& b) {
   Stage first = Stage::finished;
   for (const SettingInfo& info : settingTable())
     if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
-  return first;
+  // Whether step 6 is entered at all is decided when the stage before it ends.
+  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
 }
 
 /// How far the run is, from 0 to 1: insertions make up most of it, step 6 the rest.
