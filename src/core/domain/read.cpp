@@ -52,6 +52,7 @@ Status readList(const Object& root, std::string_view key, LoopRole role, DomainD
 
 Status checkNames(const Domain& domain) {
   std::vector<std::string_view> names;
+  names.reserve(domain.loops.size());
   for (const Loop& loop : domain.loops) names.emplace_back(loop.name);
   std::sort(names.begin(), names.end());
   const auto twice = std::adjacent_find(names.begin(), names.end());

@@ -52,7 +52,7 @@ Status readBox(const JsonValue& value, const Domain& domain, const ReadPlace& pl
   request.at = box.lo;
   request.to = box.hi;
   Error error;
-  if (!(box.width() > 0.0 && box.height() > 0.0)) {
+  if (box.width() <= 0.0 || box.height() <= 0.0) {
     error = complaint(place, "the box has no area", "give two opposite corners");
   } else if (!meets(domain.bounds, box.lo, box.hi)) {
     error = complaint(place, "the box lies outside the domain",
@@ -82,7 +82,7 @@ Status readAlong(const JsonValue& value, const Domain& domain, const ReadPlace& 
 
 Status readRank(const JsonValue& value, const ReadPlace& place, DensityRequest& request) {
   const double* rank = value.number();
-  if (rank == nullptr || *rank != std::floor(*rank) || !(*rank >= 1.0 && *rank <= kCoarsestRank)) {
+  if (rank == nullptr || *rank != std::floor(*rank) || *rank < 1.0 || *rank > kCoarsestRank) {
     return complaint(place,
                      rank == nullptr ? fmt::format("\"rank\" is {}, not a number", value.typeName())
                                      : fmt::format("\"rank\" is {}", *rank),

@@ -79,7 +79,7 @@ Status markListed(const JsonValue& value, const PointRun& run, std::vector<bool>
 /// Marks the points where the polygon turns by more than "corner_turn" degrees.
 Status markTurning(const JsonValue& value, const PointRun& run, std::vector<bool>& isCorner) {
   const double* degrees = value.number();
-  if (degrees == nullptr || !(*degrees > 0.0 && *degrees < 180.0)) {
+  if (degrees == nullptr || *degrees <= 0.0 || *degrees >= 180.0) {
     return complaint(run.place, "\"corner_turn\" must be an angle between 0 and 180",
                      "give the turning in degrees above which a point is a corner");
   }
