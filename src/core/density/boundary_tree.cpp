@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "core/geometry/predicates.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
 
-// Splits the longer side at the median; a stable sort keeps the order total.
+// Splits the longer side at the median.
 void build(BoundaryTree& tree, std::uint32_t node, std::uint32_t first, std::uint32_t count) {
   Box box;
   for (std::uint32_t k = first; k < first + count; ++k) {
@@ -24,10 +25,14 @@ void build(BoundaryTree& tree, std::uint32_t node, std::uint32_t first, std::uin
     return;
   }
   const bool byX = box.width() >= box.height();
+  const auto before = [byX](const BoundaryPiece& l, const BoundaryPiece& r) {
+    const double left = byX ? l.a.x + l.b.x : l.a.y + l.b.y;
+    const double right = byX ? r.a.x + r.b.x : r.a.y + r.b.y;
+    if (left != right) return left < right;
+    return std::tie(l.curve, l.a.x, l.a.y) < std::tie(r.curve, r.a.x, r.a.y);
+  };
   const auto begin = tree.pieces.begin() + first;
-  std::stable_sort(begin, begin + count, [byX](const BoundaryPiece& l, const BoundaryPiece& r) {
-    return byX ? l.a.x + l.b.x < r.a.x + r.b.x : l.a.y + l.b.y < r.a.y + r.b.y;
-  });
+  std::nth_element(begin, begin + count / 2, begin + count, before);
   const auto children = static_cast<std::uint32_t>(tree.nodes.size());
   tree.nodes[node].first = children;
   tree.nodes[node].count = 0;
