@@ -2,6 +2,7 @@
 // Laplacian filter, turn the sides of obtuse angles together, and move shared edges into the larger triangle; after
 // each move the triangulation is made Delaunay again. Boundary vertices stay.
 #include <algorithm>
+#include <array>
 
 #include "core/geometry/trig.h"
 #include "core/mesh/badness.h"
@@ -55,7 +56,11 @@ Trial tryMove(MeshState& state, Rule rule, std::int32_t vertex, Point to) {
   Mesh& mesh = state.mesh;
   starOf(mesh, vertex, star);
   before.clear();
-  for (const std::int32_t rim : star.rim) before.push_back(triangleOf(rim));
+  std::uint8_t finestRank = mesh.density[at(vertex)];
+  for (const std::int32_t rim : star.rim) {
+    before.push_back(triangleOf(rim));
+    finestRank = std::min(finestRank, mesh.density[at(startOf(mesh, rim))]);
+  }
   Badness was = badnessOf(mesh, before);
   if (!moveVertex(mesh, vertex, to, moveLog)) return {Refusal::inverts_triangle, 0.0, 0.0};
   const Badness is = badnessOf(mesh, moveLog.slots);
@@ -64,7 +69,8 @@ Trial tryMove(MeshState& state, Rule rule, std::int32_t vertex, Point to) {
     undoMove(mesh, moveLog);
     was = badnessOf(mesh, moveLog.slots);
   }
-  const double finest = state.tree.minEdge;  // Δx, or less where the input itself is finer
+  // Δx, or less where kept input edges made the density finer than that.
+  const double finest = std::min(state.minEdge, state.tree.minEdge * rankLength(finestRank));
   const Refusal refusal = judge(rule, was, is, finest);
   if (refusal == Refusal::none && flipped) moveVertex(mesh, vertex, to, moveLog);
   if (refusal != Refusal::none && !flipped) undoMove(mesh, moveLog);
@@ -149,7 +155,7 @@ int largeNeighbour(const Mesh& mesh, std::int32_t slot) {
 }
 
 // Where the corner p2 of an obtuse angle must go, straight away from the far side p1p3, for the angle to shrink by 2θ
-// at most: the way out when p1 and p3 may not move.
+// at most: the way out when p1 and p3 may not move, or not far enough.
 Point apexRaised(Point p1, Point p2, Point p3, double theta) {
   const Point side = p3 - p1;
   const Point away = (1.0 / length(side)) * perpendicular(p1 - p3);
@@ -158,23 +164,30 @@ Point apexRaised(Point p1, Point p2, Point p3, double theta) {
   return p2 + std::min(theta * length(side), std::max(0.0, target - height)) * away;
 }
 
-// index = 3·slot + 0, 1 for the two sides p1 and p3 turned about p2, + 2 for p2 itself.
+// Turns to try in units of θ: the full one first, then half and twice, each for p1, p3 and p2. The first that is
+// accepted ends the obtuse angle or makes it smaller, and the triangle is looked at again in the next pass.
+constexpr std::array<double, 3> kTurns = {1.0, 0.5, 2.0};
+constexpr std::uint64_t kTries = 3 * kTurns.size();
+
+// index = 9·slot + try.
 Outcome runObtuse(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
-  const double theta = state.settings.theta * trig::kDegree;
-  for (; cursor.index < 3 * mesh.triangles.size(); ++cursor.index) {
-    const auto slot = static_cast<std::int32_t>(cursor.index / 3);
-    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0) continue;
-    const int corner = obtuseCorner(mesh, slot);
-    if (corner < 0) continue;
+  for (; cursor.index < kTries * mesh.triangles.size(); ++cursor.index) {
+    const auto slot = static_cast<std::int32_t>(cursor.index / kTries);
+    const int corner = !mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0 ? -1 : obtuseCorner(mesh, slot);
+    if (corner < 0) {
+      cursor.index += kTries - 1 - cursor.index % kTries;  // on to the next triangle
+      continue;
+    }
     const Triangle& t = triangleAt(mesh, slot);
     const std::int32_t p2 = t.v[static_cast<std::size_t>(corner)];
     const std::int32_t p1 = t.v[static_cast<std::size_t>(next3(corner))];
     const std::int32_t p3 = t.v[static_cast<std::size_t>(prev3(corner))];
-    const int which = static_cast<int>(cursor.index % 3);
+    const std::uint64_t which = cursor.index % 3;
+    const double theta = kTurns[cursor.index % kTries / 3] * state.settings.theta * trig::kDegree;
     const std::int32_t moved = which == 0 ? p1 : which == 1 ? p3 : p2;
-    if (!movable(mesh, moved) || (which == 2 && movable(mesh, p1) && movable(mesh, p3))) continue;
+    if (!movable(mesh, moved)) continue;
     const Point about = pointOf(mesh, p2);
     const Point to = which == 2 ? apexRaised(pointOf(mesh, p1), about, pointOf(mesh, p3), theta)
                                 : turned(pointOf(mesh, moved), about, trig::sinCos(which == 0 ? theta : -theta));
