@@ -60,6 +60,13 @@ class Outputs(program.ProgramTest):
         self.assertGreater(sum(stage["inserted"] for stage in report["stages"]), 500)
         self.assertGreater(sum(stage["seconds"] for stage in report["stages"]), 0)
 
+    def test_report_into_a_pipe(self):
+        process = self.expect(OK, run("mesh", STEP, "-q", "--report", "/dev/stdout"))
+        self.assertIn("triangles", json.loads(process.stdout))
+
+    def test_report_on_a_full_disk(self):
+        self.expect(CANNOT_WRITE, run("mesh", STEP, "--report", "/dev/full"))
+
     def test_events_are_one_json_object_a_line(self):
         self.expect(OK, run("mesh", STEP, "--events", self.path("e.jsonl")))
         lines = (self.folder / "e.jsonl").read_text().splitlines()

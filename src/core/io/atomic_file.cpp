@@ -62,15 +62,15 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
         .code = ExitCode::cannot_write, .message = "no file name given", .hint = "name a file", .file = {}, .loop = {}};
   }
   std::error_code ignored;
-  // A link stays a link: what it points at is replaced.
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
-  const fs::file_status status = fs::status(target, ignored);
+  const fs::file_status status = fs::status(path, ignored);  // of what a link points at
   if (fs::is_directory(status)) return cannotWrite(path, "cannot write", EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    const int descriptor = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor < 0) return cannotWrite(path, "cannot open for writing", errno);
     return AtomicFile(path, {}, descriptor);
   }
+  // A link stays a link: what it points at is replaced.
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : fs::path(path);
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const fs::path temporary =
         target.parent_path() / fmt::format(".{}.{}-{}.tmp", target.filename().string(), ::getpid(), attempt);
