@@ -31,10 +31,14 @@ void requireValidIndices(const MeshFile& file) {
 
 Result<MeshFile> parse(std::uint8_t format, std::string_view text) {
   switch (format % 5) {
-    case 0: return parseMsh(text);
-    case 1: return parseVtu(text);
-    case 2: return parseOff(text);
-    case 3: return parseObj(text);
+    case 0:
+      return parseMsh(text);
+    case 1:
+      return parseVtu(text);
+    case 2:
+      return parseOff(text);
+    case 3:
+      return parseObj(text);
     default: {
       // The three files of Triangle, one after the other with a '|' between.
       const std::size_t first = text.find('|'), second = text.find('|', first == text.npos ? first : first + 1);

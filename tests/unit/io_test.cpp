@@ -183,6 +183,12 @@ TEST_F(MeshFiles, WhatIsNoFileIsWrittenDirectly) {
   ASSERT_TRUE(file->write("gone").ok());
   ASSERT_TRUE(file->commit().ok());
   EXPECT_FALSE(fs::is_regular_file("/dev/null"));
+  fs::create_symlink("/dev/null", path("link"));
+  auto linked = AtomicFile::create(path("link"));
+  ASSERT_TRUE(linked.ok());
+  ASSERT_TRUE(linked->commit().ok());
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(filesLeft(), 1u);
 }
 
 struct Broken {

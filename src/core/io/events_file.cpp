@@ -39,6 +39,10 @@ std::string_view otherKey(const Event& event) {
   switch (event.kind) {
     case EventKind::constraint_found:
       return "curve";
+    case EventKind::cell_split:
+      return event.rule == Rule::advancing_front || event.rule == Rule::balance ? "from_cell" : "constraint";
+    case EventKind::edge_split:
+      return "triangle";
     case EventKind::cell_ranked:
       return event.rule == Rule::advancing_front ? "from_cell" : "constraint";
     case EventKind::boundary_point:
