@@ -172,7 +172,12 @@ void addMove(const SceneInput& in, Layer& layer) {
   const Event& event = *in.current;
   if (!hasVertex(mesh, event.vertex)) return;
   const Star star = liveStar(mesh, static_cast<std::int32_t>(event.vertex));
-  layer.triangles.push_back(patch(mesh, slotsOf(star), in.theme.created, true));
+  // Flips that followed the move may have made triangles beyond the star.
+  std::vector<std::int32_t> slots = slotsOf(star);
+  for (const std::int32_t slot : slotsCreated(mesh, event)) {
+    if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
+  }
+  layer.triangles.push_back(patch(mesh, slots, in.theme.created, true));
   LineBatch spokes;  // where the edges to the vertex were
   spokes.style = {in.theme.removed, 1.4f, Dash::dotted, false};
   spokes.points.push_back(event.from);
@@ -184,6 +189,15 @@ void addMove(const SceneInput& in, Layer& layer) {
   layer.lines.push_back(polyline({event.from, event.at}, false, {in.theme.candidate, 2.2f, Dash::solid, false}));
   layer.marks.push_back(oneMark(event.from, Shape::ring, 7.0f, in.theme.removed, {0, 0, 0, 0}));
   layer.marks.push_back(oneMark(event.at, Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
+}
+
+void addRemoval(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Event& event = *in.current;
+  layer.triangles.push_back(patch(mesh, slotsCreated(mesh, event), in.theme.created, true));
+  // The place of a vertex outlives it.
+  const Point was = hasVertex(mesh, event.vertex) ? mesh.points[event.vertex] : event.at;
+  layer.marks.push_back(oneMark(was, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
 }
 
 void addCell(const SceneInput& in, Layer& layer) {
@@ -257,6 +271,8 @@ void buildDecision(const SceneInput& in, Layer& layer) {
       layer.marks.push_back(oneMark(event.at, Shape::ring, 15.0f, in.theme.candidate, {0, 0, 0, 0}));
       break;
     case EventKind::vertex_removed:
+      addRemoval(in, layer);
+      break;
     case EventKind::triangle_removed:
       layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
       break;
