@@ -51,7 +51,7 @@ inline const char* const kCrackedFrame = R"({"name": "cracked frame", "min_edge_
   "segments": [[[1, 1], [2, 5], [1.5, 7]]]})";
 
 /// Curves of every kind, corners and a narrow place.
-inline const char* const kRound = R"({"name": "round", "min_edge_length": 0.1,
+inline const char* const kRound = R"({"name": "round", "min_edge_length": 0.2,
   "outer": {"kind": "circle", "centre": [0, 0], "radius": 4},
   "holes": [{"kind": "circle", "centre": [0, 2.4], "radius": 1},
             {"kind": "spline", "points": [[-2, -1], [0, -2], [2, -1], [0, -0.5]], "corners": [0, 2]}]})";

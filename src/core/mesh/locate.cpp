@@ -51,9 +51,10 @@ Location walkStraight(const Mesh& mesh, std::int32_t start, Point from, Point p)
         if (orient2d(from, p, a) < 0 && orient2d(from, p, b) >= 0) exit = i;
       }
     } else {
-      // The apex opposite the edge entered through decides between the other two.
+      // The edge entered through runs from its left end, corner next3, to its right end; the apex decides which of the
+      // two is left behind.
       const bool apexLeft = orient2d(from, p, pointOf(mesh, triangle.v[static_cast<std::size_t>(entered)])) >= 0;
-      exit = apexLeft ? prev3(entered) : next3(entered);
+      exit = apexLeft ? next3(entered) : prev3(entered);
     }
     if (exit < 0) return {slot, -1};
     const Point a = pointOf(mesh, triangle.v[static_cast<std::size_t>(next3(exit))]);

@@ -1,0 +1,164 @@
+#include "core/mesh/flip.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/geometry/predicates.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/validate.h"
+#include "support/judge.h"
+#include "support/meshes.h"
+
+namespace triscope {
+namespace {
+
+using support::Random;
+
+// Both ends see the edge from strictly within the other diagonal.
+bool convex(const Mesh& mesh, std::int32_t half) {
+  const Point a = pointOf(mesh, startOf(mesh, half)), b = pointOf(mesh, endOf(mesh, half));
+  const Point c = pointOf(mesh, apexOf(mesh, half)), d = pointOf(mesh, apexOf(mesh, oppositeOf(mesh, half)));
+  return orient2d(d, b, c) > 0 && orient2d(c, a, d) > 0;
+}
+
+Mesh randomMesh(std::uint64_t seed) {
+  Random random{seed};
+  return support::triangulationOf(support::randomPoints(random, 80, {0, 0}, {1, 1}));
+}
+
+void flipAtRandom(Mesh& mesh, Random& random, int times) {
+  while (times > 0) {
+    const auto half = static_cast<std::int32_t>(random.below(3 * mesh.triangles.size()));
+    if (oppositeOf(mesh, half) < 0 || constrained(mesh, half) || !convex(mesh, half)) continue;
+    flipEdge(mesh, half);
+    --times;
+  }
+}
+
+// Everything but the Delaunay property.
+void expectSoundButForDelaunay(const Mesh& mesh) {
+  for (const Violation& violation : validate(mesh)) {
+    if (violation.what != Broken::delaunay) ADD_FAILURE() << violation.message;
+  }
+}
+
+TEST(Flip, GivesTheOtherDiagonalWithFreshIdsInTheSameSlots) {
+  Mesh mesh = randomMesh(1);
+  std::ranges::fill(mesh.tested, std::uint8_t{0xff});
+  std::int32_t half = 0;
+  while (oppositeOf(mesh, half) < 0 || constrained(mesh, half) || !convex(mesh, half)) ++half;
+  const std::int32_t left = triangleOf(half), right = triangleOf(oppositeOf(mesh, half));
+  const std::int32_t c = apexOf(mesh, half), d = apexOf(mesh, oppositeOf(mesh, half));
+  const std::uint32_t nextId = mesh.nextId;
+  const std::int32_t diagonal = flipEdge(mesh, half);
+  EXPECT_EQ(std::minmax(startOf(mesh, diagonal), endOf(mesh, diagonal)), std::minmax(c, d));
+  EXPECT_EQ(std::minmax(triangleOf(diagonal), triangleOf(oppositeOf(mesh, diagonal))), std::minmax(left, right));
+  EXPECT_EQ(mesh.nextId, nextId + 2);
+  EXPECT_EQ(idOf(mesh, left), nextId);
+  EXPECT_EQ(idOf(mesh, right), nextId + 1);
+  for (const std::int32_t slot : {left, right}) {
+    EXPECT_EQ(mesh.tested[at(slot)], 0);
+    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+      if (across >= 0) {
+        EXPECT_EQ(mesh.tested[at(triangleOf(across))], 0) << "a neighbour keeps old tests";
+      }
+    }
+  }
+  expectSoundButForDelaunay(mesh);
+}
+
+TEST(Flip, TwiceIsTheSameTriangulation) {
+  Mesh mesh = randomMesh(2);
+  const auto before = support::trianglesOf(mesh);
+  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+    if (oppositeOf(mesh, half) < 0 || constrained(mesh, half) || !convex(mesh, half)) continue;
+    flipEdge(mesh, flipEdge(mesh, half));
+    ASSERT_EQ(support::trianglesOf(mesh), before);
+  }
+  support::expectValid(mesh);
+}
+
+TEST(Flip, CarriesTheBoundaryEdgesOfItsQuadrilateral) {
+  // The diagonal of a box lies between four boundary edges.
+  Mesh mesh = support::boxMesh({0, 0}, {2, 1});
+  flipEdge(mesh, 1);
+  EXPECT_EQ(support::trianglesOf(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 3}, {1, 2, 3}}));
+  support::expectValid(mesh);
+}
+
+TEST(FlipWanted, IsDecidedByTheLastBit) {
+  for (const double y : {0.0, 0x1p-52, -0x1p-52}) {
+    Mesh mesh = support::boxMesh({0, 0}, {1, 1});
+    mesh.points[3].y += y;
+    // The corner leaves the circle of the other three outward when y grows.
+    EXPECT_EQ(flipWanted(mesh, 1), y < 0.0);
+    EXPECT_EQ(flipWanted(mesh, 5), y < 0.0);
+  }
+  const Mesh mesh = support::boxMesh({0, 0}, {1, 1});
+  EXPECT_FALSE(flipWanted(mesh, 2)) << "a border has no other side";
+}
+
+TEST(FlipWanted, NeverForABoundaryEdge) {
+  Mesh mesh = support::boxMesh({0, 0}, {1, 1});
+  mesh.points[3].y = 0.75;
+  ASSERT_TRUE(flipWanted(mesh, 1));
+  setConstrained(mesh, 1, true);
+  setConstrained(mesh, 5, true);
+  EXPECT_FALSE(flipWanted(mesh, 1));
+}
+
+// The Delaunay triangulation of points in general position is unique: whatever was flipped, flips lead back to it.
+TEST(RestoreDelaunay, LeadsBackToTheOneTriangulation) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Mesh mesh = randomMesh(seed);
+    const auto delaunay = support::trianglesOf(mesh);
+    Random random{seed};
+    flipAtRandom(mesh, random, 200);
+    expectSoundButForDelaunay(mesh);
+    ASSERT_NE(support::trianglesOf(mesh), delaunay);
+    std::vector<std::int32_t> suspects;
+    for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+      suspects.push_back(half);
+    }
+    std::vector<Flip> done;
+    restoreDelaunay(mesh, suspects, done);
+    EXPECT_TRUE(suspects.empty());
+    EXPECT_FALSE(done.empty());
+    EXPECT_EQ(support::trianglesOf(mesh), delaunay);
+    support::expectValid(mesh);
+  }
+}
+
+TEST(RestoreDelaunay, EndsOnCocircularPoints) {
+  std::vector<Point> grid;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) grid.push_back({static_cast<double>(i), static_cast<double>(j)});
+  }
+  Mesh mesh = support::triangulationOf(grid);
+  Random random{4};
+  flipAtRandom(mesh, random, 100);
+  std::vector<std::int32_t> suspects;
+  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+    suspects.push_back(half);
+  }
+  std::vector<Flip> done;
+  restoreDelaunay(mesh, suspects, done);
+  support::expectValid(mesh);
+}
+
+TEST(RestoreDelaunay, ListsEachFlip) {
+  Mesh mesh = support::boxMesh({0, 0}, {1, 1});
+  mesh.points[3].y = 0.75;
+  std::vector<std::int32_t> suspects{1};
+  std::vector<Flip> done;
+  restoreDelaunay(mesh, suspects, done);
+  ASSERT_EQ(done.size(), 1u);
+  EXPECT_EQ(std::minmax(done[0].a, done[0].b), std::minmax(0, 2));
+  EXPECT_EQ(std::minmax(done[0].c, done[0].d), std::minmax(1, 3));
+  EXPECT_GE(findHalfEdge(mesh, 1, 3), 0);
+  EXPECT_EQ(findHalfEdge(mesh, 0, 2), -1);
+}
+
+}  // namespace
+}  // namespace triscope
