@@ -29,6 +29,9 @@ std::string count(std::uint64_t n, std::string_view one, std::string_view many) 
   return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
+/// ", triangle 12", or nothing where no other triangle is named.
+std::string named(std::uint32_t id) { return id == kNoId ? std::string() : fmt::format(", triangle {}", id); }
+
 /// "its circumradius R = 2.31 is not below its shortest edge e = 1.98"
 std::string reasonOf(const Event& e) {
   const std::string m = number(e.measured);
@@ -43,10 +46,14 @@ std::string reasonOf(const Event& e) {
     case Rule::step3:
       return fmt::format("its circumradius R = {} is not below its shortest edge e = {}", m, l);
     case Rule::step4:
-      return fmt::format("its circumradius R = {} is not below the shortest edge e = {} of its neighbour", m, l);
+      return fmt::format("its circumradius R = {} is not below the shortest edge e = {} of its neighbour{}", m, l,
+                         named(e.other));
     case Rule::step5:
       return fmt::format(
-          "the neighbour's apex lies {} from the middle of the shared edge, not nearer than e + height = {}", m, l);
+          "its apex lies {} from the middle of the edge shared with its neighbour{}: not nearer than that one's "
+          "shortest "
+          "edge and height, e + height = {}",
+          m, named(e.other), l);
     default:
       return std::string(describe(e.rule));
   }
@@ -60,6 +67,11 @@ std::string effectOf(const Event& e) {
                      e.createdCount);
 }
 
+/// " off vertex 12" for a point of a front.
+std::string offVertex(const Event& e) {
+  return e.other == kNoId ? std::string() : fmt::format(" off vertex {}", e.other);
+}
+
 std::string insertion(const Event& e) {
   const std::string rule = capitalised(name(e.rule));
   switch (e.rule) {
@@ -67,7 +79,12 @@ std::string insertion(const Event& e) {
       return fmt::format("Boundary point {} joined the triangulation.", e.vertex) + effectOf(e);
     case Rule::first_front:
     case Rule::second_front:
-      return fmt::format("{}: vertex {} was placed at {}, {}.", rule, e.vertex, place(e.at), describe(e.rule)) +
+      return fmt::format("{}: vertex {} was placed at {}{}, {}.", rule, e.vertex, place(e.at), offVertex(e),
+                         describe(e.rule)) +
+             effectOf(e);
+    case Rule::repair:
+      return fmt::format("{} put vertex {} at {}, near {}: {}.", rule, e.vertex, place(e.at), triangle(e.subject),
+                         describe(e.rule)) +
              effectOf(e);
     case Rule::step5:
       return fmt::format("{} put vertex {} across an edge of {}: {}.", rule, e.vertex, triangle(e.subject),
@@ -92,6 +109,19 @@ std::string refusalOf(const Event& e) {
   }
 }
 
+/// A point that was not put in. The figures of steps 1-5 are the rule's, those of the fronts the refusal's.
+std::string refused(const Event& e) {
+  const std::string rule = capitalised(name(e.rule));
+  if (e.rule == Rule::repair)
+    return fmt::format("{} left {} alone: every edit tried around it leaves as much broken.", rule,
+                       triangle(e.subject));
+  if (e.rule >= Rule::step1 && e.rule <= Rule::step5)
+    return fmt::format("{} proposed a vertex at {} for {}, because {}; it was refused: {}.", rule, place(e.at),
+                       triangle(e.subject), reasonOf(e), describe(e.refusal));
+  return fmt::format("{} proposed a vertex at {}{}, and it was refused: {}.", rule, place(e.at), offVertex(e),
+                     refusalOf(e));
+}
+
 std::string movement(const Event& e) {
   return fmt::format("{}: vertex {} moved by {} to {}: {}.", capitalised(name(e.rule)), e.vertex,
                      number(distance(e.from, e.at)), place(e.at), describe(e.rule));
@@ -101,11 +131,16 @@ std::string constraint(const Event& e) {
   return fmt::format("An edge length of {} is wanted at {}: {}.", number(e.measured), place(e.at), describe(e.rule));
 }
 
+/// " beside cell 4" where the decision follows from a neighbour.
+std::string besideCell(const Event& e) {
+  const bool neighbour = e.rule == Rule::advancing_front || e.rule == Rule::balance;
+  return neighbour && e.other != kNoId ? fmt::format(" beside cell {}", e.other) : std::string();
+}
+
 std::string ranking(const Event& e) {
-  if (e.limit > 0.0 && e.limit != e.measured)
-    return fmt::format("Cell {} took density rank {} instead of {}: {}.", e.subject, number(e.measured),
-                       number(e.limit), describe(e.rule));
-  return fmt::format("Cell {} took density rank {}: {}.", e.subject, number(e.measured), describe(e.rule));
+  std::string text = fmt::format("Cell {} took density rank {}", e.subject, number(e.measured));
+  if (e.limit > 0.0 && e.limit != e.measured) text += fmt::format(" instead of {}", number(e.limit));
+  return text + besideCell(e) + fmt::format(": {}.", describe(e.rule));
 }
 
 }  // namespace
@@ -122,7 +157,7 @@ std::string captionOf(const Event& e) {
     case EventKind::constraint_found:
       return constraint(e);
     case EventKind::cell_split:
-      return fmt::format("Cell {} was split into four: {}.", e.subject, describe(e.rule));
+      return fmt::format("Cell {} was split into four{}: {}.", e.subject, besideCell(e), describe(e.rule));
     case EventKind::cell_ranked:
       return ranking(e);
     case EventKind::boundary_point:
@@ -131,8 +166,7 @@ std::string captionOf(const Event& e) {
     case EventKind::vertex_inserted:
       return insertion(e);
     case EventKind::vertex_refused:
-      return fmt::format("{} proposed a vertex at {} for {}, and it was refused: {}.", capitalised(name(e.rule)),
-                         place(e.at), triangle(e.subject), refusalOf(e));
+      return refused(e);
     case EventKind::edge_split:
       return fmt::format("Boundary edge {} was split at vertex {}: {}.", e.subject, e.vertex, describe(e.rule)) +
              effectOf(e);

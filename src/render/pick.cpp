@@ -88,14 +88,6 @@ bool pickCell(const Quadtree& tree, Point p, Pick& pick) {
 
 }  // namespace
 
-std::int32_t slotOf(const Mesh& mesh, std::uint32_t id) {
-  if (id == kNoId) return -1;
-  for (size_t i = 0; i < mesh.ids.size(); ++i) {
-    if (mesh.ids[i] == id && mesh.alive(static_cast<std::int32_t>(i))) return static_cast<std::int32_t>(i);
-  }
-  return -1;
-}
-
 std::int32_t triangleContaining(const Mesh& mesh, Point p) {
   if (mesh.liveCount() == 0) return -1;
   const std::int32_t last = mesh.lastTriangle;

@@ -21,7 +21,4 @@ Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst = false
 /// Mesh::lastTriangle; falls back to looking at every triangle where a hole stops the walk.
 std::int32_t triangleContaining(const Mesh& mesh, Point p);
 
-/// Slot of the live triangle with this id, -1 when it is gone.
-std::int32_t slotOf(const Mesh& mesh, std::uint32_t id);
-
 }  // namespace triscope

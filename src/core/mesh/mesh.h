@@ -98,5 +98,12 @@ inline bool constrained(const Mesh& mesh, std::int32_t half) {
   return (mesh.flags[static_cast<std::size_t>(triangleOf(half))] >> cornerOf(half) & 1) != 0;
 }
 inline std::uint32_t idOf(const Mesh& mesh, std::int32_t slot) { return mesh.ids[static_cast<std::size_t>(slot)]; }
+/// Slot of the live triangle with this id, -1 when there is none. Looks at every slot.
+inline std::int32_t slotOf(const Mesh& mesh, std::uint32_t id) {
+  for (std::size_t slot = 0; slot < mesh.ids.size(); ++slot) {
+    if (mesh.ids[slot] == id && (mesh.flags[slot] & kDead) == 0) return static_cast<std::int32_t>(slot);
+  }
+  return -1;
+}
 
 }  // namespace triscope

@@ -75,6 +75,10 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
       if (tree.cells[static_cast<std::size_t>(leaf)].rank <= largestCellRank(wishedRank(state, constraint))) continue;
       const std::int32_t first = splitCell(tree, leaf);
       recordSplit(state, journal, constraint.source, leaf, first);
+      if (journal.listening()) {
+        journal.events->back().other = static_cast<std::uint32_t>(cursor.index);
+        journal.events->back().limit = largestCellRank(wishedRank(state, constraint));
+      }
       return Outcome::decided;
     }
     cursor.phase = balance;

@@ -41,7 +41,9 @@ Attempt apply(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int
   attempt.refusal = Refusal::inverts_triangle;
   switch (remedy.edit) {
     case Edit::move:
+      attempt.firstId = mesh.nextId;
       if (moveVertex(mesh, remedy.index, remedy.to, log)) attempt.refusal = Refusal::none;
+      attempt.createdCount = mesh.nextId - attempt.firstId;
       return attempt;
     case Edit::insert:
       return place(mesh, state.tree, remedy.to, start, VertexKind::steiner, {floor, -0.5});
@@ -94,10 +96,15 @@ void addMoves(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remed
   }
 }
 
+Point centroidOf(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
+}
+
 void addInsertions(const Mesh& patch, std::int32_t slot, std::vector<Remedy>& remedies) {
   const Triangle& t = triangleAt(patch, slot);
   const Point a = pointOf(patch, t.v[0]), b = pointOf(patch, t.v[1]), c = pointOf(patch, t.v[2]);
-  const Point middle = (1.0 / 3.0) * (a + b + c);
+  const Point middle = centroidOf(patch, slot);
   const Point centre = circumcentre(a, b, c);
   remedies.push_back({Edit::insert, -1, middle});
   for (const double part : {0.5, 0.75, 1.0}) remedies.push_back({Edit::insert, -1, middle + part * (centre - middle)});
@@ -226,10 +233,17 @@ void record(const MeshState& state, Journal& journal, const Remedy& remedy, std:
   event.at = remedy.to;
   event.from = from;
   describeAttempt(event, attempt);
+  if (remedy.edit == Edit::none) event.refusal = Refusal::bound_broken;
   if (remedy.edit == Edit::move || remedy.edit == Edit::remove) event.vertex = static_cast<std::uint32_t>(remedy.index);
-  if (remedy.edit == Edit::split) event.other = static_cast<std::uint32_t>(remedy.index);
-  event.created = attempt.firstId;
-  event.createdCount = attempt.createdCount;
+  if (remedy.edit == Edit::split) {
+    event.subject = static_cast<std::uint32_t>(remedy.index);
+    event.other = subject;
+    if (attempt.vertex >= 0) event.at = pointOf(state.mesh, attempt.vertex);  // on the curve, not on the chord
+  }
+  if (attempt.createdCount > 0) {
+    event.created = attempt.firstId;
+    event.createdCount = attempt.createdCount;
+  }
   journal.record(event);
 }
 
@@ -269,7 +283,7 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     if (treatment[0].edit == Edit::none) {
       mesh.tested[at(slot)] |= kTried;
       ++counts.refused;
-      record(state, journal, treatment[0], subject, {}, {});
+      record(state, journal, {Edit::none, -1, centroidOf(mesh, slot)}, subject, {}, {});
       return Outcome::decided;
     }
     ++cursor.index;

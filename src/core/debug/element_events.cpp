@@ -1,0 +1,129 @@
+#include "core/debug/element_events.h"
+
+#include <algorithm>
+
+namespace triscope {
+namespace {
+
+bool isCellEvent(EventKind kind) { return kind == EventKind::cell_split || kind == EventKind::cell_ranked; }
+
+/// What Event::subject and Event::other are ids of, where they are ids of elements.
+struct Roles {
+  std::optional<Ref::Kind> subject;
+  std::optional<Ref::Kind> other;
+};
+
+Roles rolesOf(const Event& e) {
+  using Kind = Ref::Kind;
+  const bool ofFront = e.rule == Rule::first_front || e.rule == Rule::second_front;
+  switch (e.kind) {
+    case EventKind::cell_split:
+    case EventKind::cell_ranked:
+      // A constraint's split or rank names the constraint, a neighbour's the neighbour.
+      if (e.rule == Rule::balance || e.rule == Rule::advancing_front) return {Kind::cell, Kind::cell};
+      return {Kind::cell, std::nullopt};
+    case EventKind::vertex_inserted:
+    case EventKind::vertex_refused:
+      if (e.rule == Rule::initial) return {};
+      if (ofFront) return {std::nullopt, Kind::vertex};
+      return {Kind::triangle, Kind::triangle};
+    case EventKind::edge_flipped:
+      return {Kind::triangle, Kind::triangle};
+    case EventKind::vertex_removed:
+    case EventKind::triangle_removed:
+    case EventKind::vertex_moved:
+    case EventKind::vertex_kept:
+      return {Kind::triangle, std::nullopt};
+    case EventKind::edge_split:  // of repair: the triangle that it was made for
+      return {std::nullopt, Kind::triangle};
+    default:
+      return {};
+  }
+}
+
+bool makesElementsOf(const Event& e, Ref::Kind kind) {
+  switch (kind) {
+    case Ref::Kind::vertex:
+      return (e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split) && e.vertex != kNoId;
+    case Ref::Kind::cell:
+      return e.kind == EventKind::cell_split;
+    case Ref::Kind::triangle:
+      return e.createdCount > 0 && !isCellEvent(e.kind);
+    case Ref::Kind::event:
+      return true;
+  }
+  return false;
+}
+
+/// Ids that an event made: first, and how many.
+struct Range {
+  std::uint32_t first;
+  std::uint32_t count;
+};
+
+Range madeBy(const Event& e, Ref::Kind kind) {
+  return kind == Ref::Kind::vertex ? Range{e.vertex, 1} : Range{e.created, e.createdCount};
+}
+
+}  // namespace
+
+bool made(const Event& event, Ref ref) {
+  if (ref.kind == Ref::Kind::event || !makesElementsOf(event, ref.kind)) return false;
+  const Range range = madeBy(event, ref.kind);
+  return ref.id >= range.first && ref.id - range.first < range.count;
+}
+
+bool isAbout(const Event& event, Ref ref) {
+  if (ref.kind == Ref::Kind::event) return false;
+  if (made(event, ref)) return true;
+  const Roles roles = rolesOf(event);
+  return (roles.subject == ref.kind && event.subject == ref.id) || (roles.other == ref.kind && event.other == ref.id) ||
+         (ref.kind == Ref::Kind::vertex && event.vertex == ref.id);
+}
+
+std::optional<std::size_t> birthOf(Events events, Ref ref) {
+  if (ref.kind == Ref::Kind::event) return ref.id < events.size() ? std::optional<std::size_t>(ref.id) : std::nullopt;
+  // In [low, high): events that make nothing of the kind are stepped over.
+  std::size_t low = 0;
+  std::size_t high = events.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    std::size_t k = middle;
+    while (k < high && !makesElementsOf(events[k], ref.kind)) ++k;
+    if (k == high) {
+      high = middle;
+      continue;
+    }
+    const Range range = madeBy(events[k], ref.kind);
+    if (ref.id < range.first)
+      high = middle;
+    else if (ref.id - range.first < range.count)
+      return k;
+    else
+      low = k + 1;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::size_t> eventsAbout(Events events, Ref ref) {
+  if (ref.kind == Ref::Kind::event)
+    return ref.id < events.size() ? std::vector<std::size_t>{ref.id} : std::vector<std::size_t>{};
+  std::vector<std::size_t> found;
+  for (std::size_t k = 0; k < events.size(); ++k)
+    if (isAbout(events[k], ref)) found.push_back(k);
+  return found;
+}
+
+std::optional<std::size_t> previousAbout(Events events, Ref ref, std::size_t at) {
+  for (std::size_t k = std::min(at, events.size()); k-- > 0;)
+    if (isAbout(events[k], ref)) return k;
+  return std::nullopt;
+}
+
+std::optional<std::size_t> nextAbout(Events events, Ref ref, std::size_t at) {
+  for (std::size_t k = at + 1; k < events.size(); ++k)
+    if (isAbout(events[k], ref)) return k;
+  return std::nullopt;
+}
+
+}  // namespace triscope
