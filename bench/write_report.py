@@ -15,10 +15,11 @@ GROUPS = [
     ("fronts", ["front1", "front2"]),
     ("step 1", ["step1"]),
     ("steps 2-5", ["step2", "step3", "step4", "step5"]),
+    ("repair", ["repair"]),
 ]
 # Okabe-Ito, with a marker each so that colour is never the only sign.
 STYLES = [("#0072B2", "circle"), ("#E69F00", "square"), ("#009E73", "diamond"), ("#CC79A7", "up"), ("#D55E00", "down"),
-          ("#000000", "plus")]
+          ("#56B4E9", "ring"), ("#000000", "plus")]
 
 
 def load(folder, name):
@@ -51,6 +52,8 @@ def marker(kind, x, y, color):
     r = 4
     if kind == "circle":
         return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{r}" fill="{color}"/>'
+    if kind == "ring":
+        return f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{r}" fill="#ffffff" stroke="{color}" stroke-width="2"/>'
     if kind == "plus":
         return (f'<path d="M{x - r:.1f} {y:.1f}h{2 * r}M{x:.1f} {y - r:.1f}v{2 * r}" stroke="{color}" '
                 f'stroke-width="2" fill="none"/>')
@@ -133,13 +136,13 @@ def report(stages, journal, airfoil, memory, predicates):
         "# Benchmarks",
         "",
         "Written by `bench/run`; run it again rather than edit this page. Release build, one core, nobody listening to",
-        f"events, on {context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz"
-        f"{' shared with other work' if context['load_avg'] and context['load_avg'][0] > 1.5 else ''}. The fastest of several runs each; treat figures as ±30 %.",
+        f"events, on a machine of {context['num_cpus']} cores at {context['mhz_per_cpu'] / 1000:.1f} GHz. Processor time, the fastest of several",
+        "runs each; treat figures as ±30 %.",
         "",
         "## Time against points",
         "",
         "The domain is a graded ring: a disc of radius 1 as the hole of a square of side 16, edges of Δx on the disc and",
-        "growing away from it. Steps 1-5 to their end, without step 6.",
+        "growing away from it. Steps 1-5 to their end and the repair after them, without step 6.",
         "",
         "![Time of each stage against the number of points](figures/linear.svg)",
         "",
