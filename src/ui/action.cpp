@@ -298,6 +298,12 @@ std::string keyName(int key) {
   return fmt::format("key {}", key);
 }
 
+/// A label without the ellipsis that says a dialog follows.
+std::string_view withoutDots(std::string_view label) {
+  constexpr std::string_view kDots = "…";
+  return label.ends_with(kDots) ? label.substr(0, label.size() - kDots.size()) : label;
+}
+
 }  // namespace
 
 std::span<const ActionInfo> actions() { return kActions; }
@@ -309,6 +315,8 @@ std::optional<Action> actionFor(int key, int mods) {
     if (std::find(info.chords.begin(), info.chords.end(), pressed) != info.chords.end()) return info.id;
   return std::nullopt;
 }
+
+bool isModifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
 bool withCtrl(int mods) { return (mods & kCtrl) != 0; }
 
@@ -348,13 +356,12 @@ std::string keysOf(const ActionInfo& info) {
 }
 
 std::string keysAsMarkdown() {
-  std::string text =
-      "# Keys\n\nPrinted from the program's own table (`triscope keys`); F1 shows the same in the window.\n";
+  std::string text = "# Keys\n\nPrinted from the program's own table; F1 shows the same in the window.\n";
   for (const Menu menu : {Menu::file, Menu::run, Menu::view, Menu::help}) {
     text += fmt::format("\n## {}\n\n| key | what it does |\n|---|---|\n", nameOf(menu));
     for (const ActionInfo& info : kActions)
       if (info.menu == menu && info.chords[0].key != 0)
-        text += fmt::format("| {} | **{}.** {} |\n", keysOf(info), info.label, info.help);
+        text += fmt::format("| {} | **{}.** {} |\n", keysOf(info), withoutDots(info.label), info.help);
   }
   return text;
 }

@@ -92,6 +92,8 @@ std::optional<Action> actionFor(int key, int mods);
 
 /// Whether GLFW's modifiers contain Ctrl.
 bool withCtrl(int mods);
+/// Whether a key is Shift, Ctrl, Alt or Super.
+bool isModifier(int key);
 
 std::string_view nameOf(Menu menu);
 /// "Ctrl+Shift+F11".

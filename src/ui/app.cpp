@@ -51,6 +51,7 @@ std::string App::start(double monitorScale) {
 
 void App::onKey(int key, int mods) {
   // While text is typed, keys without Ctrl and those that edit text are not commands; Esc always is.
+  if (!isModifier(key)) ++ui_.keysPressed;
   const std::optional<Action> action = actionFor(key, mods);
   if (!action) return;
   const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
@@ -69,7 +70,7 @@ void App::onDrop(const std::string& path) { apply(command::OpenFile{path}); }
 
 bool App::poll() {
   const std::optional<Error> before = session_.error();
-  if (!session_.poll()) return false;
+  if (!session_.poll()) return export_.ready();
   if (session_.error() && (!before || describe(*before) != describe(*session_.error()))) {
     ui_.error = session_.error();
     openDialog(Dialog::error);
@@ -133,6 +134,7 @@ View App::view() {
 
 void App::frame() {
   widgets_.clear();
+  for (const bool released : ImGui::GetIO().MouseReleased) ui_.buttonsReleased += released ? 1u : 0u;
   performPressed();
   Orders orders;
   float menuHeight = 0.0f;

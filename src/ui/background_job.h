@@ -32,9 +32,10 @@ class BackgroundJob {
     });
   }
   [[nodiscard]] bool running() const { return running_; }
+  [[nodiscard]] bool ready() const { return running_ && done_; }
   /// The outcome, once, when there is one.
   std::optional<Status> finished() {
-    if (!running_ || !done_) return std::nullopt;
+    if (!ready()) return std::nullopt;
     thread_.join();
     running_ = false;
     return std::exchange(result_, std::nullopt);

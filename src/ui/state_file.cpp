@@ -74,8 +74,51 @@ std::string widgets(const std::vector<WidgetRect>& all) {
   return out.str();
 }
 
-std::string selection(const UiState& ui) {
+/// Where the selected element is, in the world.
+Point placeOf(const Selection& s, const MeshState& state) {
+  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
+  const Mesh& mesh = state.mesh;
+  switch (s.kind) {
+    case Selection::Kind::none:
+      return {};
+    case Selection::Kind::vertex:
+      return mesh.points[at(s.index)];
+    case Selection::Kind::edge: {
+      const Triangle& t = mesh.triangles[at(s.index)];
+      return midpoint(mesh.points[at(t.v[at((s.edge + 1) % 3)])], mesh.points[at(t.v[at((s.edge + 2) % 3)])]);
+    }
+    case Selection::Kind::triangle: {
+      const Triangle& t = mesh.triangles[at(s.index)];
+      return (1.0 / 3.0) * (mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])]);
+    }
+    case Selection::Kind::cell: {
+      const Cell& cell = state.tree.cells[at(s.index)];
+      const double half = 0.5 * state.tree.side(cell);
+      return state.tree.corner(cell) + Point{half, half};
+    }
+  }
+  return {};
+}
+
+/// Keys of every action, as the help says them.
+std::string keys() {
+  Object out;
+  for (const ActionInfo& info : actions()) {
+    std::string list;
+    for (const Chord& chord : info.chords)
+      if (chord.key != 0) list += (list.empty() ? "" : ", ") + jsonText(textOf(chord));
+    out.add(info.key, "[" + list + "]");
+  }
+  return out.str();
+}
+
+std::string selection(const View& view) {
+  const UiState& ui = view.ui;
+  const bool there = view.now() != nullptr && !ui.selectedGone;
+  const Point place = there ? placeOf(ui.selected.selection, view.now()->state) : Point{};
   return Object()
+      .number("x", place.x)
+      .number("y", place.y)
       .text("kind", word(kSelections, ui.selected.selection.kind))
       .number("index", ui.selected.selection.index)
       .number("id", ui.selected.id == kNoId ? -1.0 : static_cast<double>(ui.selected.id))
@@ -112,6 +155,8 @@ std::string describeWindow(const View& view, const std::string& caption) {
       .text("theme", word(kThemes, ui.look.theme))
       .number("scale", ui.scale())
       .number("speed", ui.speed)
+      .number("keys_pressed", static_cast<double>(ui.keysPressed))
+      .number("buttons_released", static_cast<double>(ui.buttonsReleased))
       .add("camera", Object()
                          .number("x", ui.camera.centre.x)
                          .number("y", ui.camera.centre.y)
@@ -120,13 +165,14 @@ std::string describeWindow(const View& view, const std::string& caption) {
                          .number("height", ui.camera.height)
                          .str())
       .add("layers", layers(ui))
-      .add("selection", selection(ui))
+      .add("selection", selection(view))
       .add("colors", Object()
                          .add("background", color(view.theme().background))
                          .add("surface", color(view.theme().surface))
                          .add("selection", color(view.theme().selection))
                          .add("wire", color(view.theme().wire))
                          .str());
+  out.add("keys", keys()).text("keys_markdown", keysAsMarkdown());
   if (view.widgets != nullptr) out.add("widgets", widgets(*view.widgets));
   return out.str();
 }

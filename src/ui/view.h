@@ -45,6 +45,8 @@ struct UiState {
   std::vector<Settings> redo;
   bool exporting = false;
   double frameMs = 0.0;
+  std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
+  std::uint64_t buttonsReleased = 0;  // of the mouse
   [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }
 };
 

@@ -99,23 +99,30 @@ class Window:
         except FileNotFoundError:
             return None
 
-    def wait(self, condition, what, timeout=TIMEOUT):
-        """The first state that the condition holds for."""
+    def wait(self, condition, what, timeout=TIMEOUT, ends=False):
+        """The first state that the condition holds for; with `ends` the program may also end."""
         end = time.monotonic() + timeout
         state = None
         while time.monotonic() < end:
             if self.process.poll() is not None:
+                if ends:
+                    return state
                 raise AssertionError(f"the program ended with {self.process.returncode} while waiting for {what}")
             state = self.state()
             if state is not None and condition(state):
                 return state
             time.sleep(0.02)
-        brief = {k: v for k, v in (state or {}).items() if k not in ("widgets", "settings")}
+        brief = {k: v for k, v in (state or {}).items() if k not in ("widgets", "settings", "keys", "keys_markdown")}
         raise AssertionError(f"waited in vain for {what}; the state is {json.dumps(brief, indent=1)}")
 
     def settled(self):
-        """The state once nothing is under way."""
-        return self.wait(lambda s: s["activity"] == "idle" and not s["stale"] and "stage" in s, "the run to settle")
+        """The state once nothing is under way, and the frames that follow have been drawn."""
+        end = time.monotonic() + TIMEOUT
+        while True:
+            state = self.wait(lambda s: s["activity"] == "idle" and not s["stale"] and "stage" in s, "the run to settle")
+            time.sleep(0.15)
+            if self.state() == state or time.monotonic() > end:
+                return state
 
     def image(self):
         time.sleep(0.15)  # the frame that the state file tells of is on its way to the screen
@@ -124,8 +131,11 @@ class Window:
     # What a person does.
 
     def key(self, *chords):
+        """Each key is pressed when the one before has been acted on."""
         for chord in chords:
+            before = self.state()["keys_pressed"]
             self.xdotool("key", "--clearmodifiers", chord)
+            self.wait(lambda s: s["keys_pressed"] > before, f"'{chord}' to be heard", ends=True)
 
     def type(self, text):
         self.xdotool("type", "--delay", "30", text)
@@ -140,10 +150,11 @@ class Window:
         if modifier:
             self.xdotool("keydown", modifier)
             time.sleep(0.1)
+        before = self.state()["buttons_released"]
         self.xdotool("mousedown", str(button))
         time.sleep(0.12)
         self.xdotool("mouseup", str(button))
-        time.sleep(0.12)
+        self.wait(lambda s: s["buttons_released"] > before, "the mouse to be heard", ends=True)
         if modifier:
             self.xdotool("keyup", modifier)
 
