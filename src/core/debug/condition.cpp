@@ -88,10 +88,10 @@ double numberOf(Field field, const Moment& m) {
 }
 
 bool boundBroken(const RunningQuality& q) {
-  return q.triangles() > 0 &&
-         !(q.worst(Measure::aspect) < Bounds::aspect && q.worst(Measure::area_ratio) < Bounds::areaRatio &&
-           q.worst(Measure::edge_ratio) < Bounds::edgeRatio && q.worst(Measure::min_angle) > Bounds::minAngle &&
-           q.worst(Measure::max_angle) < Bounds::maxAngle);
+  if (q.triangles() == 0) return false;
+  return q.worst(Measure::aspect) >= Bounds::aspect || q.worst(Measure::area_ratio) >= Bounds::areaRatio ||
+         q.worst(Measure::edge_ratio) >= Bounds::edgeRatio || q.worst(Measure::min_angle) <= Bounds::minAngle ||
+         q.worst(Measure::max_angle) >= Bounds::maxAngle;
 }
 
 bool flagOf(Field field, const Moment& m) {

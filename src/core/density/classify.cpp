@@ -75,7 +75,9 @@ double classifyCells(Quadtree& tree, const Domain& domain) {
       int count = 0;
       const double step = 0.25 * tree.side(cell);
       for (int k = 0; k < 16; ++k) {
-        const Point sample = tree.corner(cell) + Point{(k % 4 + 0.5) * step, (k / 4 + 0.5) * step};
+        const int column = k % 4;
+        const int row = k / 4;
+        const Point sample = tree.corner(cell) + Point{(column + 0.5) * step, (row + 0.5) * step};
         if (insideDomain(boundary, sample)) ++count;
       }
       part = count / 16.0;

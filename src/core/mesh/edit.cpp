@@ -14,7 +14,7 @@ std::int32_t addVertex(Mesh& mesh, Point p, VertexKind kind, std::uint8_t densit
 }
 
 std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_t c) {
-  std::int32_t slot;
+  std::int32_t slot = -1;
   if (mesh.freeSlots.empty()) {
     slot = static_cast<std::int32_t>(mesh.triangles.size());
     mesh.triangles.emplace_back();

@@ -9,8 +9,8 @@ namespace {
 // Corner k of the rim polygon is an ear that no other corner's circle test forbids.
 bool delaunayEar(const Mesh& mesh, const std::vector<std::int32_t>& polygon, std::size_t k) {
   const std::size_t n = polygon.size();
-  const std::size_t before = (k + n - 1) % n;
-  const std::size_t after = (k + 1) % n;
+  const std::size_t before = k == 0 ? n - 1 : k - 1;
+  const std::size_t after = k + 1 == n ? 0 : k + 1;
   const Point a = pointOf(mesh, polygon[before]), b = pointOf(mesh, polygon[k]), c = pointOf(mesh, polygon[after]);
   if (orient2d(a, b, c) <= 0) return false;
   for (std::size_t i = 0; i < n; ++i) {
@@ -50,8 +50,9 @@ bool removeVertex(Mesh& mesh, std::int32_t vertex) {
     std::size_t ear = 0;
     while (ear < n && !delaunayEar(mesh, polygon, ear)) ++ear;
     if (ear == n) ear = 0;  // cannot be: the star of a vertex always has a Delaunay ear
-    const std::size_t before = (ear + n - 1) % n;
-    const std::int32_t slot = addTriangle(mesh, polygon[before], polygon[ear], polygon[(ear + 1) % n]);
+    const std::size_t before = ear == 0 ? n - 1 : ear - 1;
+    const std::size_t after = ear + 1 == n ? 0 : ear + 1;
+    const std::int32_t slot = addTriangle(mesh, polygon[before], polygon[ear], polygon[after]);
     hang(3 * slot + 2, before);
     hang(3 * slot, ear);
     // The ear's third edge takes the place of the two it covers.

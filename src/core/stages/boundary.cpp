@@ -58,7 +58,7 @@ void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   thread_local std::vector<Sample> samples;
   thread_local std::vector<double> params;
   integrate(state, curve, samples);
-  int n = std::max(fewest, static_cast<int>(samples.back().integral + 0.5));
+  int n = std::max(fewest, static_cast<int>(std::floor(samples.back().integral + 0.5)));
   place(samples, n, params);
   while (n > fewest && shortestChord(curve, params) < state.minEdge * (1.0 - 1e-9)) place(samples, --n, params);
   for (std::size_t k = 0; k < params.size(); ++k) {
