@@ -38,6 +38,7 @@ std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_
 
 void killTriangle(Mesh& mesh, std::int32_t slot) {
   mesh.flags[at(slot)] = kDead;
+  mesh.tested[at(slot)] = kTestedAll;
   mesh.freeSlots.push_back(slot);
   ChangeLog::note(slot);
 }

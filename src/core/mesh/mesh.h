@@ -51,6 +51,7 @@ inline constexpr std::uint8_t kDead = 8;          // free slot
 inline constexpr std::uint8_t kQueued = 16;       // waits in a worklist
 inline constexpr std::uint8_t kInCavity = 32;     // while one insertion looks at it; never left set
 inline constexpr std::uint8_t kConstrainedAll = 7;
+inline constexpr std::uint8_t kTestedAll = 255;  // Mesh::tested of a free slot: nothing to look at
 
 struct Mesh {
   std::vector<Point> points;

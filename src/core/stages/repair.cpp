@@ -12,6 +12,7 @@
 #include "core/mesh/move.h"
 #include "core/mesh/patch.h"
 #include "core/mesh/remove.h"
+#include "core/mesh/tested.h"
 #include "core/stages/place.h"
 #include "core/stages/stage_runs.h"
 
@@ -248,14 +249,16 @@ void record(const MeshState& state, Journal& journal, const Remedy& remedy, std:
 }
 
 void queueBroken(MeshState& state) {
-  for (std::size_t slot = state.mesh.triangles.size(); slot-- > 0;) {
-    if ((state.mesh.tested[slot] & kTried) != 0 || (state.mesh.flags[slot] & kDead) != 0) continue;
-    if (breaksBound(state.mesh, static_cast<std::int32_t>(slot))) {
-      state.cursor.worklist.push_back(static_cast<std::int32_t>(slot));
+  Mesh& mesh = state.mesh;
+  std::vector<std::int32_t>& worklist = state.cursor.worklist;
+  forEachUntested(mesh, kTried, [&](std::int32_t slot) {
+    if (breaksBound(mesh, slot)) {
+      worklist.push_back(slot);
     } else {
-      state.mesh.tested[slot] |= kTried;
+      mesh.tested[at(slot)] |= kTried;
     }
-  }
+  });
+  std::reverse(worklist.begin(), worklist.end());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Stages "step1" … "step5" (paper, section 3.1): triangles are looked at until the rule proposes no further point.
 // New triangles are looked at next, so that insertions stay close to the last one.
 #include "core/mesh/edit.h"
+#include "core/mesh/tested.h"
 #include "core/stages/insertion_rules.h"
 #include "core/stages/place.h"
 #include "core/stages/stage_runs.h"
@@ -41,11 +42,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
   const auto bit = static_cast<std::uint8_t>(1u << (static_cast<int>(state.stage) - static_cast<int>(Stage::step1)));
   if (!cursor.begun) {
     cursor.begun = true;
-    for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-      if ((mesh.flags[slot] & kDead) == 0 && (mesh.tested[slot] & bit) == 0) {
-        cursor.worklist.push_back(static_cast<std::int32_t>(slot));
-      }
-    }
+    forEachUntested(mesh, bit, [&](std::int32_t slot) { cursor.worklist.push_back(slot); });
   }
   while (!cursor.worklist.empty()) {
     const std::int32_t slot = cursor.worklist.back();

@@ -9,6 +9,20 @@
 namespace triscope {
 namespace {
 
+// Room for the mesh to come, so that growing it does not copy it again and again.
+void reserve(Mesh& mesh, double triangles) {
+  const auto count = static_cast<std::size_t>(std::min(1.2 * triangles, 2e7));
+  mesh.points.reserve(count / 2);
+  mesh.kinds.reserve(count / 2);
+  mesh.density.reserve(count / 2);
+  mesh.vertexTriangle.reserve(count / 2);
+  mesh.vertexEdge.reserve(count / 2);
+  mesh.triangles.reserve(count);
+  mesh.ids.reserve(count);
+  mesh.flags.reserve(count);
+  mesh.tested.reserve(count);
+}
+
 // Two triangles over a square far around the root: every boundary point falls inside.
 void boxAround(MeshState& state) {
   Mesh& mesh = state.mesh;
@@ -46,6 +60,7 @@ Outcome runTriangulation(MeshState& state, Journal& journal) {
   Mesh& mesh = state.mesh;
   if (!cursor.begun) {
     cursor.begun = true;
+    reserve(mesh, state.estimatedTriangles);
     boxAround(state);
   }
   for (; cursor.index < state.boundary.size(); ++cursor.index) {
