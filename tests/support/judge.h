@@ -13,10 +13,11 @@ void expectBounds(const MeshState& state);
 void expectValid(const Mesh& mesh);
 
 /// Every kept point is a vertex, bit for bit; every curve is followed from end to end by edges of the mesh with the
-/// domain on their left; nothing else is a border; the area is the polygon's to 1e-12 where every curve is a line.
-void expectFollowsDomain(const MeshState& state);
+/// domain on their left; nothing else is a border; the area is the polygon's where every curve is a line, to 1e-12 or
+/// the larger part of it given.
+void expectFollowsDomain(const MeshState& state, double areaTolerance = 1e-12);
 
-/// No edge is shorter than Δx, or than the shortest kept input edge where that is shorter still.
+/// No edge is shorter than a Δx that was given, or than the shortest kept input edge where that is shorter still.
 void expectNoShortEdge(const MeshState& state);
 
 /// Area of the mesh, and of the domain when its curves are lines, in extended precision about the domain's corner.

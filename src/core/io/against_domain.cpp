@@ -47,7 +47,8 @@ class DomainCheck {
     const Box& box = domain.bounds;
     const double reach = std::max({std::fabs(box.lo.x), std::fabs(box.lo.y), std::fabs(box.hi.x), std::fabs(box.hi.y)});
     // Far from the origin a point on a line is rounded by more than its share of the domain's size.
-    tolerance_ = std::max(kTolerance * size, 4.0 * 0x1p-52 * reach);
+    spacing_ = 0x1p-52 * reach;
+    tolerance_ = std::max(kTolerance * size, 4.0 * spacing_);
     onBoundary_.assign(mesh.points.size(), 0);
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
       if (mesh.vertexTriangle[v] >= 0) byPlace_.push_back(static_cast<std::int32_t>(v));
@@ -149,11 +150,13 @@ class DomainCheck {
 
   void checkArea() {
     LongSum polygon, triangles;
+    double perimeter = 0.0;
     for (const Loop& loop : domain_.loops) {
       if (loop.role == LoopRole::chain) continue;
       for (std::uint32_t c = 0; c < loop.curveCount; ++c) {
         const Curve& curve = domain_.curves[loop.firstCurve + c];
         addEdge(polygon, curve.a, curve.b);
+        perimeter += distance(curve.a, curve.b);
       }
     }
     for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh_.triangles.size()); ++slot) {
@@ -162,7 +165,7 @@ class DomainCheck {
         addEdge(triangles, pointOf(mesh_, startOf(mesh_, 3 * slot + i)), pointOf(mesh_, endOf(mesh_, 3 * slot + i)));
     }
     const double wanted = 0.5 * polygon.value(), found = 0.5 * triangles.value();
-    if (!(std::fabs(found - wanted) <= kTolerance * wanted)) {
+    if (!(std::fabs(found - wanted) <= std::max(kTolerance * wanted, spacing_ * perimeter))) {
       add(domain_.bounds.lo, -1,
           fmt::format("the mesh has the area {}, the domain {}: {:.1e} apart, relative to it", found, wanted,
                       std::fabs(found - wanted) / wanted));
@@ -172,7 +175,8 @@ class DomainCheck {
   const Mesh& mesh_;
   const Domain& domain_;
   std::size_t limit_;
-  double tolerance_ = 0.0;
+  double spacing_ = 0.0;               // of coordinates where they are largest
+  double tolerance_ = 0.0;             // distance from a line within which a point is on it
   std::vector<std::int32_t> byPlace_;  // vertices in use, by x then y
   std::vector<char> onBoundary_;       // per vertex: met on a straight piece
   Star star_;
