@@ -14,6 +14,8 @@ namespace {
 struct Texts {
   std::vector<std::string> set;
   std::string stage;
+  std::string place;
+  std::vector<std::string> prints;
 };
 
 Status applySettings(Settings& settings, const std::vector<std::string>& assignments) {
@@ -34,6 +36,21 @@ Status applyStage(Stage& stage, const std::string& name) {
   const Result<Stage> named = stageNamed(name);
   if (!named.ok()) return named.error();
   stage = *named;
+  return success();
+}
+
+Status applyRequests(DebugCommand& options, const Texts& texts) {
+  if (!texts.place.empty()) {
+    const Result<Goto> place = gotoFrom(texts.place);
+    if (!place.ok()) return place.error();
+    options.place = *place;
+  }
+  for (const std::string& text : texts.prints) {
+    const Result<Print> print = printFrom(text);
+    if (!print.ok()) return print.error();
+    options.prints.push_back(*print);
+  }
+  if (options.prints.empty()) options.prints.push_back(*printFrom("state"));
   return success();
 }
 
@@ -97,6 +114,35 @@ CLI::App& addFigure(CLI::App& app, FigureCommand& options, Texts& texts) {
   return figure;
 }
 
+CLI::App& addDebug(CLI::App& app, DebugCommand& options, Texts& texts) {
+  CLI::App& debug = *app.add_subcommand("debug", "Go anywhere in a run, stop on a condition, and ask why");
+  debug.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
+  addSet(debug, texts);
+  debug
+      .add_option("--goto", texts.place,
+                  "Where to begin: start, end, tick=N, event=N or stage=S; the end, or the start with --break")
+      ->type_name("PLACE");
+  CLI::Option& breaks = *debug
+                             .add_option("--break", options.breaks,
+                                         "Go on to the first decision that meets this condition; may be given again")
+                             ->type_name("CONDITION")
+                             ->allow_extra_args(false);
+  debug.add_flag("--back", options.back, "With --break: go back to the last decision that meets it")->needs(&breaks);
+  debug
+      .add_flag("--first-violation", options.firstViolation,
+                "Go on to where a bound or a rule of validity first breaks")
+      ->excludes(&breaks);
+  debug
+      .add_option("--print", texts.prints,
+                  "What to print there: state, quality, worst, events:FROM-TO, why:ELEMENT, whynot:triangle=ID, "
+                  "history:ELEMENT or ELEMENT (triangle=ID, vertex=ID, cell=ID, event=N); may be given again")
+      ->type_name("WHAT")
+      ->allow_extra_args(false);
+  debug.add_flag("--json", options.json, "Print one JSON object instead of text");
+  debug.add_flag("-q,--quiet", options.quiet, "Show no progress");
+  return debug;
+}
+
 ExitCode complain(const Error& error) {
   fmt::print(stderr, "triscope: {}\n", describe(error));
   return ExitCode::usage;
@@ -116,11 +162,13 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   MeshCommand mesh;
   CheckCommand check;
   FigureCommand figure;
+  DebugCommand debug;
   Texts texts;
   addWindow(app, window);
   const CLI::App& meshCommand = addMesh(app, mesh, texts);
   const CLI::App& checkCommand = addCheck(app, check);
   const CLI::App& figureCommand = addFigure(app, figure, texts);
+  const CLI::App& debugCommand = addDebug(app, debug, texts);
   const CLI::App& settingsCommand = *app.add_subcommand("settings", "List every setting with its range and default");
 
   try {
@@ -148,6 +196,11 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
     if (const Status status = applySettings(figure.settings, texts.set); !status.ok()) return complain(status.error());
     if (const Status status = applyStage(figure.stage, texts.stage); !status.ok()) return complain(status.error());
     return Options{figure};
+  }
+  if (debugCommand.parsed()) {
+    if (const Status status = applySettings(debug.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applyRequests(debug, texts); !status.ok()) return complain(status.error());
+    return Options{debug};
   }
   if (settingsCommand.parsed()) return Options{SettingsCommand{}};
   return Options{window};

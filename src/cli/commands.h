@@ -11,6 +11,7 @@ ExitCode runCommand(const MeshCommand& options);
 ExitCode runCommand(const CheckCommand& options);
 ExitCode runCommand(const FigureCommand& options);
 ExitCode runCommand(const SettingsCommand& options);
+ExitCode runCommand(const DebugCommand& options);
 
 /// Prints an error as "triscope: …" on stderr and returns its exit code.
 ExitCode fail(const Error& error);

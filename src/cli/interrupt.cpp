@@ -5,9 +5,10 @@
 namespace triscope {
 namespace {
 
-volatile std::sig_atomic_t raised = 0;
+std::atomic<bool> raised{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
 
-extern "C" void raiseFlag(int) { raised = 1; }
+extern "C" void raiseFlag(int) { raised = true; }
 
 }  // namespace
 
@@ -16,6 +17,8 @@ void watchForInterrupt() {
   std::signal(SIGTERM, raiseFlag);
 }
 
-bool interrupted() { return raised != 0; }
+bool interrupted() { return raised; }
+
+const std::atomic<bool>& interruptFlag() { return raised; }
 
 }  // namespace triscope

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "cli/debug_request.h"
 #include "core/settings.h"
 #include "core/stage.h"
 #include "ui/window.h"
@@ -45,7 +46,20 @@ struct FigureCommand {
 /// triscope settings
 struct SettingsCommand {};
 
+/// triscope debug DOMAIN
+struct DebugCommand {
+  std::string domain;
+  Settings settings;
+  std::vector<std::string> breaks;  // conditions, as typed
+  std::optional<Goto> place;
+  std::vector<Print> prints;
+  bool back = false;  // to the last hit before the place
+  bool firstViolation = false;
+  bool json = false;
+  bool quiet = false;
+};
+
 /// What was asked for; triscope [FILE] opens the window.
-using Options = std::variant<WindowOptions, MeshCommand, CheckCommand, FigureCommand, SettingsCommand>;
+using Options = std::variant<WindowOptions, MeshCommand, CheckCommand, FigureCommand, SettingsCommand, DebugCommand>;
 
 }  // namespace triscope

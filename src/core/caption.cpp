@@ -76,7 +76,7 @@ std::string insertion(const Event& e) {
   const std::string rule = capitalised(name(e.rule));
   switch (e.rule) {
     case Rule::initial:
-      return fmt::format("Boundary point {} joined the triangulation.", e.vertex) + effectOf(e);
+      return fmt::format("Vertex {}, a boundary point, joined the triangulation.", e.vertex) + effectOf(e);
     case Rule::first_front:
     case Rule::second_front:
       return fmt::format("{}: vertex {} was placed at {}{}, {}.", rule, e.vertex, place(e.at), offVertex(e),

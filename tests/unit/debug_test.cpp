@@ -107,6 +107,9 @@ TEST(Breakpoint, BackwardsFindsTheLastRefusalBeforeHere) {
   }
   const auto none = continueBackward(history, refusedAt.front(), breakpoints, cancel);
   EXPECT_FALSE(none.has_value());
+  // From the end all the way back over every keyframe.
+  EXPECT_GT(history.count(), 2u);
+  EXPECT_FALSE(continueBackward(history, state.tick + 1, stopAt("tick == 0 and refused"), cancel).has_value());
 }
 
 TEST(Breakpoint, NoRuleIsBrokenInTheRunsOfTheSamples) {

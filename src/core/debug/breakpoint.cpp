@@ -43,9 +43,9 @@ bool Watch::step(std::vector<Hit>& hits) {
   events_.clear();
   changes_.slots.clear();
   const std::size_t points = state_.mesh.points.size();
-  const std::uint64_t tick = state_.tick;
   Journal journal{&events_};
-  if (!advance(state_, Grain::decision, journal) || state_.tick == tick) return false;
+  // What follows the last decision has events but no tick: the end of the last stage, or the failure of one.
+  if (!advance(state_, Grain::decision, journal) || events_.empty()) return false;
   quality_.update(state_.mesh, changes_.slots);
   sinceInsertion_ = state_.mesh.points.size() > points ? 0 : sinceInsertion_ + 1;
   const std::uint8_t broken = brokenNow();
@@ -96,8 +96,8 @@ std::optional<Hit> continueForward(MeshState& state, std::span<const Breakpoint>
 std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, std::span<const Breakpoint> breakpoints,
                                     const std::atomic<bool>& cancel) {
   std::uint64_t end = tick;  // decisions up to `end` (not including the one that makes tick `end`) are looked at
-  while (end > 0) {
-    MeshState state = history.before(end - 1).state;
+  while (end > 1) {
+    MeshState state = history.before(end - 2).state;  // the decision that makes tick end - 1 is made from there
     const std::uint64_t begin = state.tick;
     Watch watch(state, breakpoints);
     std::vector<Hit> hits;
@@ -107,7 +107,6 @@ std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, 
       hits.clear();
     }
     if (last || cancel.load(std::memory_order_relaxed)) return last;
-    if (begin == 0) break;
     end = begin + 1;  // the decision that made the keyframe itself belongs to the stretch before
   }
   return std::nullopt;

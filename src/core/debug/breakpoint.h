@@ -33,7 +33,8 @@ class Watch {
  public:
   Watch(MeshState& state, std::span<const Breakpoint> breakpoints);
 
-  /// One decision. False when the run is over. The hits of that decision, of every action, are in `hits`.
+  /// One decision, or what follows the last one. False when the run is over. The hits of that decision, of every
+  /// action, are in `hits`.
   bool step(std::vector<Hit>& hits);
 
   /// Events of the last decision.

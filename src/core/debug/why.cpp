@@ -143,6 +143,10 @@ void tellMoves(Events events, std::uint32_t vertex, std::size_t birth, Answer& a
   if (removal) answer.tell(*removal, 1);
 }
 
+std::string ending(Events events, const TriangleFacts& facts) {
+  return fmt::format("It ended with event {}: {}", *facts.death, captionOf(events[*facts.death]));
+}
+
 // ---- Why not ----
 
 struct Trial {
@@ -201,7 +205,7 @@ std::vector<Outcomes> proposals(Events events, std::size_t birth, const Trial& t
   return list;
 }
 
-void tellSilence(Events events, std::size_t birth, const Trial& trial, Answer& answer) {
+void tellSilence(Events events, std::size_t birth, bool ended, const Trial& trial, Answer& answer) {
   const std::string rule = capitalised(std::string(name(trial.rule)));
   for (std::size_t k = events.size(); k-- > birth;) {
     const Event& e = events[k];
@@ -214,7 +218,9 @@ void tellSilence(Events events, std::size_t birth, const Trial& trial, Answer& a
       std::any_of(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(birth),
                   [&](const Event& e) { return e.kind == EventKind::stage_finished && e.stage == trial.stage; });
   answer.say(fmt::format("{} has proposed nothing: {}.", rule,
-                         before ? "it was over before the triangle was made" : "it has not come to its end yet"));
+                         before  ? "it was over before the triangle was made"
+                         : ended ? "the triangle was gone before it came to its end"
+                                 : "it has not come to its end yet"));
 }
 
 // ---- History ----
@@ -275,8 +281,9 @@ std::vector<Line> whyNot(Events events, std::uint32_t triangle, const TriangleFa
       answer.say(told(events, outcome.last) +
                  (outcome.count > 1 ? fmt::format(" The last of {} times.", outcome.count) : std::string()));
     }
-    if (tried.empty()) tellSilence(life, from, trial, answer);
+    if (tried.empty()) tellSilence(life, from, facts.death.has_value(), trial, answer);
   }
+  if (facts.death) answer.say(ending(events, facts));
   return answer.take();
 }
 
@@ -298,7 +305,7 @@ std::vector<Line> historyOf(Events events, Ref ref, const TriangleFacts& facts) 
     answer.say(text);
     k = last + 1;
   }
-  if (facts.death) answer.say(fmt::format("It ended with event {}: {}", *facts.death, captionOf(events[*facts.death])));
+  if (facts.death) answer.say(ending(events, facts));
   return answer.take();
 }
 

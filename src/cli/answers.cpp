@@ -1,0 +1,153 @@
+#include "cli/answers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/caption.h"
+#include "core/debug/element.h"
+#include "core/debug/life.h"
+#include "core/debug/why.h"
+#include "core/io/events_file.h"
+#include "core/io/json_text.h"
+#include "core/io/report.h"
+
+namespace triscope {
+namespace {
+
+TriangleFacts factsAt(const Recording& recording, Ref ref) {
+  if (ref.kind != Ref::Kind::triangle) return {};
+  if (const auto alive = factsOf(recording.state().mesh, ref.id)) return *alive;
+  return factsOf(recording.history(), recording.state().tick, recording.events(), ref.id);
+}
+
+std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
+  std::vector<Line> lines;
+  for (const WorstMeasure& worst : worstOf(quality)) {
+    std::string text = fmt::format("Worst {}: {:.4g}, which is {} the bound {:g}", worst.name, worst.value,
+                                   worst.met() ? "within" : "beyond", worst.bound);
+    if (worst.slot >= 0) {
+      const Point at = centroidOf(mesh, worst.slot);
+      text += fmt::format(", of triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
+    }
+    lines.push_back(linked(text + "."));
+  }
+  return lines;
+}
+
+std::vector<Line> stateLines(const Recording& recording, const Quality& quality) {
+  const MeshState& state = recording.state();
+  std::vector<Line> lines{linked(summaryOf(state, quality))};
+  lines.push_back(linked(fmt::format("{} decisions made, {} events recorded.", state.tick, recording.events().size())));
+  if (state.round > 0 && state.stage != Stage::finished)
+    lines.push_back(linked(fmt::format("{} {}.", state.stage == Stage::refine ? "Pass" : "Round", state.round)));
+  lines.push_back(linked(fmt::format("{} triangles, {} vertices, {} obtuse, {} cells.", quality.triangles,
+                                     quality.vertices, quality.obtuse, state.tree.cells.size())));
+  return lines;
+}
+
+std::vector<Line> eventLines(const Recording& recording, const Print& print) {
+  const std::vector<Event>& events = recording.events();
+  std::vector<Line> lines;
+  for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
+    lines.push_back(lineOf(events, static_cast<std::size_t>(k)));
+  if (lines.empty())
+    lines.push_back(linked(fmt::format("Only {} events have been recorded up to here.", events.size())));
+  return lines;
+}
+
+std::vector<Line> linesOf(const Stop& stop, const Print& print, const Quality& quality) {
+  const Recording& recording = stop.recording;
+  const std::vector<Event>& events = recording.events();
+  switch (print.what) {
+    case Print::What::state:
+      return stateLines(recording, quality);
+    case Print::What::quality:
+    case Print::What::worst:
+      return worstLines(recording.state().mesh, quality);
+    case Print::What::events:
+      return eventLines(recording, print);
+    case Print::What::why:
+      return why(events, print.ref);
+    case Print::What::whynot:
+      return whyNot(events, print.ref.id, factsAt(recording, print.ref));
+    case Print::What::history:
+      return historyOf(events, print.ref, factsAt(recording, print.ref));
+    case Print::What::figures:
+      return figuresOf(recording.state(), events, print.ref);
+  }
+  return {};
+}
+
+std::string jsonOf(const Line& line) {
+  std::string links;
+  for (const Span& span : line) {
+    if (!span.link) continue;
+    links += fmt::format("{}{{\"kind\": {}, \"id\": {}}}", links.empty() ? "" : ", ", jsonText(nameOf(span.link->kind)),
+                         span.link->id);
+  }
+  return fmt::format("{{\"text\": {}, \"links\": [{}]}}", jsonText(textOf(line)), links);
+}
+
+std::string worstAsJson(const Mesh& mesh, const Quality& quality) {
+  std::string list;
+  for (const WorstMeasure& worst : worstOf(quality)) {
+    list += fmt::format("{}\n      {{\"measure\": {}, \"value\": {}, \"bound\": {}, \"met\": {}, \"triangle\": {}}}",
+                        list.empty() ? "" : ",", jsonText(worst.key), jsonNumber(worst.value), jsonNumber(worst.bound),
+                        worst.met(), worst.slot < 0 ? "null" : fmt::format("{}", idOf(mesh, worst.slot)));
+  }
+  return "[" + list + "]";
+}
+
+/// What the lines say, as numbers: only where there are any that no line names by id.
+std::string dataOf(const Stop& stop, const Print& print, const Quality& quality) {
+  const Mesh& mesh = stop.recording.state().mesh;
+  if (print.what == Print::What::quality) return ",\n     \"quality\": " + reportOf(mesh, quality);
+  if (print.what == Print::What::worst) return ",\n     \"worst\": " + worstAsJson(mesh, quality);
+  if (print.what != Print::What::events) return {};
+  const std::vector<Event>& events = stop.recording.events();
+  std::string list;
+  for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
+    list += fmt::format("{}\n      {}", list.empty() ? "" : ",", eventLine(events[static_cast<std::size_t>(k)], k));
+  return ",\n     \"events\": [" + list + "]";
+}
+
+}  // namespace
+
+std::string answersAsText(const Stop& stop, const std::vector<Print>& prints) {
+  const MeshState& state = stop.recording.state();
+  const Quality quality = measure(state.mesh);
+  std::string text = fmt::format("tick {}, events {}, stage {}\n", state.tick, stop.recording.events().size(),
+                                 infoOf(state.stage).key);
+  if (stop.event)
+    text += fmt::format("stopped by {}\n  {}\n", stop.condition, textOf(lineOf(stop.recording.events(), *stop.event)));
+  for (const Print& print : prints) {
+    text += fmt::format("\n{}\n", print.text);
+    for (const Line& line : linesOf(stop, print, quality)) text += fmt::format("  {}\n", textOf(line));
+  }
+  return text;
+}
+
+std::string answersAsJson(const Stop& stop, const std::vector<Print>& prints) {
+  const MeshState& state = stop.recording.state();
+  const Quality quality = measure(state.mesh);
+  std::string text = fmt::format(
+      "{{\n  \"tick\": {}, \"events\": {}, \"stage\": {}, \"round\": {}, \"hash\": \"{:016x}\",\n", state.tick,
+      stop.recording.events().size(), jsonText(infoOf(state.stage).key), state.round, hashOf(state));
+  text += "  \"hit\": ";
+  text += stop.event ? fmt::format("{{\"condition\": {}, \"event\": {}}}", jsonText(stop.condition),
+                                   eventLine(stop.recording.events()[*stop.event], *stop.event))
+                     : "null";
+  text += ",\n  \"answers\": [";
+  for (std::size_t k = 0; k < prints.size(); ++k) {
+    std::string lines;
+    for (const Line& line : linesOf(stop, prints[k], quality))
+      lines += fmt::format("{}\n      {}", lines.empty() ? "" : ",", jsonOf(line));
+    text += fmt::format("{}\n    {{\"print\": {}, \"lines\": [{}]{}}}", k == 0 ? "" : ",", jsonText(prints[k].text),
+                        lines, dataOf(stop, prints[k], quality));
+  }
+  return text + "\n  ]\n}\n";
+}
+
+}  // namespace triscope

@@ -1,0 +1,103 @@
+#include "core/debug/recording.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/debug/life.h"
+
+namespace triscope {
+namespace {
+
+constexpr std::uint64_t kBeatsPerPulse = 1024;  // a few milliseconds
+
+}  // namespace
+
+Recording::Recording(MeshState start, std::size_t budget) : state_(std::move(start)), history_(budget) {
+  history_.restart(state_);
+}
+
+bool Recording::pulse() { return ++beats_ % kBeatsPerPulse != 0 || !pulse_ || pulse_(state_); }
+
+template <class Reached>
+bool Recording::carryOn(Reached reached) {
+  Journal journal{&events_};
+  while (!reached()) {
+    const std::uint64_t tick = state_.tick;
+    if (!pulse() || !advance(state_, Grain::decision, journal)) return false;
+    if (state_.tick > tick) history_.offer(state_, events_.size());
+  }
+  return true;
+}
+
+void Recording::returnTo(std::uint64_t tick) {
+  const Keyframe& keyframe = history_.before(tick);
+  events_.resize(static_cast<std::size_t>(keyframe.events));
+  Journal journal{&events_};
+  state_ = history_.seek(tick, journal);
+}
+
+bool Recording::toEnd() {
+  carryOn([&] { return over(); });
+  return over();
+}
+
+bool Recording::toTick(std::uint64_t tick) {
+  if (tick < state_.tick) returnTo(tick);
+  return carryOn([&] { return state_.tick >= tick; });
+}
+
+bool Recording::toEvent(std::size_t index) {
+  if (index < events_.size()) {
+    returnTo(tickOf(history_, state_.tick, index));
+  }
+  return carryOn([&] { return events_.size() > index; });
+}
+
+bool Recording::toStage(Stage stage) {
+  if (state_.stage > stage || (state_.stage == stage && state_.cursor.begun) || state_.round > 1) returnTo(0);
+  Journal journal{&events_};
+  while (state_.stage != stage) {
+    const std::uint64_t tick = state_.tick;
+    if (over() || !pulse()) return false;
+    advanceUntil(state_, Stage::refine, 1, journal);
+    if (state_.tick > tick) history_.offer(state_, events_.size());
+  }
+  return true;
+}
+
+std::optional<Hit> Recording::toNextHit(std::span<const Breakpoint> breakpoints, std::vector<Hit>& passed) {
+  Watch watch(state_, breakpoints);
+  std::vector<Hit> hits;
+  while (pulse() && watch.step(hits)) {
+    events_.insert(events_.end(), watch.events().begin(), watch.events().end());
+    if (!over()) history_.offer(state_, events_.size());
+    std::optional<Hit> stop;
+    for (const Hit& hit : hits) {
+      if (breakpoints[hit.breakpoint].action != Breakpoint::Action::stop)
+        passed.push_back(hit);
+      else if (!stop)
+        stop = hit;
+    }
+    if (stop) return stop;
+    hits.clear();
+  }
+  return std::nullopt;
+}
+
+std::optional<Hit> Recording::toPreviousHit(std::span<const Breakpoint> breakpoints, const std::atomic<bool>& cancel) {
+  const std::optional<Hit> hit = continueBackward(history_, state_.tick, breakpoints, cancel);
+  if (hit) returnTo(hit->tick);
+  return hit;
+}
+
+std::size_t Recording::eventOf(const Hit& hit) const {
+  const auto same = [&](const Event& e) {
+    return e.kind == hit.event.kind && e.stage == hit.event.stage && e.rule == hit.event.rule &&
+           e.subject == hit.event.subject && e.other == hit.event.other && e.vertex == hit.event.vertex &&
+           e.round == hit.event.round && e.at == hit.event.at;
+  };
+  const auto found = std::find_if(events_.rbegin(), events_.rend(), same);
+  return static_cast<std::size_t>(events_.rend() - found) - 1;
+}
+
+}  // namespace triscope
