@@ -115,8 +115,8 @@ Status setSetting(Settings& settings, std::string_view key, std::string_view val
 }
 
 Status setSetting(Settings& settings, const SettingInfo& info, double value) {
-  if (!(value >= info.lowest && value <= info.highest))  // refuses NaN too
-    return refused(info, fmt::format("{:g} is out of range for the setting '{}'", value, info.key));
+  const bool inRange = value >= info.lowest && value <= info.highest;  // NaN is not
+  if (!inRange) return refused(info, fmt::format("{:g} is out of range for the setting '{}'", value, info.key));
   if (!std::holds_alternative<double Settings::*>(info.member) && value != std::floor(value))
     return refused(info, fmt::format("the setting '{}' takes whole numbers, not {:g}", info.key, value));
   if (const auto* const real = std::get_if<double Settings::*>(&info.member)) settings.*(*real) = value;
