@@ -27,6 +27,7 @@ bool Session::poll() {
   }
   progress_ = news->progress;
   error_ = std::move(news->error);
+  failures_ = news->failures;
   stale_ = news->stale;
   // The worker may have spoken before it heard of the latest change.
   if (news->ordersDone >= settingsOrder_) settings_ = news->settings;

@@ -106,6 +106,8 @@ class Session {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   /// Why the last command failed; cleared by the next one that starts.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
+  /// How many commands have failed so far: tells a new error from one seen before.
+  [[nodiscard]] std::uint64_t failures() const { return failures_; }
 
  private:
   std::unique_ptr<SessionWorker> worker_;
@@ -114,6 +116,7 @@ class Session {
   Progress progress_;
   Settings settings_;
   std::optional<Error> error_;
+  std::uint64_t failures_ = 0;
   bool stale_ = false;
   std::uint64_t orders_ = 0;         // commands given
   std::uint64_t settingsOrder_ = 0;  // the last of them that changed settings

@@ -293,6 +293,7 @@ void SessionWorker::halt() {
 
 void SessionWorker::fail(Error error) {
   error_ = std::move(error);
+  ++failures_;
   publishProgress();
 }
 
@@ -441,6 +442,7 @@ Publication& SessionWorker::outbox() {
   news.settings = state_.settings;
   news.ordersDone = ordersDone_;
   news.error = error_;
+  news.failures = failures_;
   news.stale = backup_.has_value();
   return news;
 }

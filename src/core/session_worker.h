@@ -22,6 +22,7 @@ struct Publication {
   Settings settings;             // in force
   std::uint64_t ordersDone = 0;  // commands that had been taken up by then
   std::optional<Error> error;
+  std::uint64_t failures = 0;
   bool stale = false;
 };
 
@@ -130,6 +131,7 @@ class SessionWorker {
   Goal goal_;
   Progress progress_;
   std::optional<Error> error_;
+  std::uint64_t failures_ = 0;
   std::uint64_t revision_ = 0;
   std::uint64_t ordersDone_ = 0;
   std::uint64_t chunk_ = 64;  // decisions in a slice, adapted to a few milliseconds

@@ -69,17 +69,17 @@ void App::performPressed() {
 void App::onDrop(const std::string& path) { apply(command::OpenFile{path}); }
 
 bool App::poll() {
-  const std::optional<Error> before = session_.error();
-  if (!session_.poll()) return export_.ready();
-  if (session_.error() && (!before || describe(*before) != describe(*session_.error()))) {
-    ui_.error = session_.error();
-    openDialog(Dialog::error);
-  }
-  followRun();
-  return true;
+  const bool news = session_.poll();
+  if (news) followRun();
+  return news || export_.ready();
 }
 
 void App::followRun() {
+  if (session_.failures() != failuresSeen_ && session_.error()) {
+    ui_.error = session_.error();
+    openDialog(Dialog::error);
+  }
+  failuresSeen_ = session_.failures();
   const SnapshotPtr& now = session_.current();
   if (now == nullptr || now == shown_) return;
   shown_ = now;

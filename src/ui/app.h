@@ -104,6 +104,7 @@ class App {
   std::string exportPath_;  // being written
   bool fitted_ = true;      // the camera shows the whole domain, and is to go on doing so
   bool legendOnCanvas_ = false;
+  std::uint64_t failuresSeen_ = 0;
   bool closing_ = false;
   std::uint64_t frames_ = 0;
   std::chrono::steady_clock::time_point lastChange_{};

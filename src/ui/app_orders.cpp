@@ -58,7 +58,7 @@ void App::apply(const Command& command) {
   session_.apply(command);
   // What is quick is shown in this very frame.
   if (!std::holds_alternative<command::Play>(command)) session_.settle(kPatience);
-  poll();
+  followRun();
 }
 
 void App::change(const Settings& settings) {
@@ -72,7 +72,7 @@ void App::change(const Settings& settings) {
 void App::changeWithoutUndo(const Settings& settings) {
   session_.apply(command::Change{settings});
   session_.settle(kPatience);
-  poll();
+  followRun();
 }
 
 void App::perform(Action action) {

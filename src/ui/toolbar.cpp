@@ -56,10 +56,9 @@ void transport(const View& view, Orders& orders) {
                                    {Action::stage, Icon::stage},
                                    {Action::to_end, Icon::to_end}}};
   for (const Button& button : row) {
+    if (button.action != row.front().action) ImGui::SameLine(0.0f, view.px(kTight));
     actionButton(view, orders, button.action, button.icon);
-    ImGui::SameLine(0.0f, view.px(kTight));
   }
-  speed(view, orders);
 }
 
 void file(const View& view, Orders& orders) {
@@ -99,9 +98,10 @@ struct Group {
   float width;
   void (*draw)(const View&, Orders&);
 };
-std::array<Group, 4> groupsOf(const View& view) {
+std::array<Group, 5> groupsOf(const View& view) {
   return {{{iconsWidth(view, 2), file},
-           {iconsWidth(view, 9) + view.px(kTight + kSpeedWidth), transport},
+           {iconsWidth(view, 9), transport},
+           {view.px(kSpeedWidth), speed},
            {lookWidth(view), look},
            {iconsWidth(view, 1), picture}}};
 }

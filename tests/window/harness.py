@@ -74,7 +74,8 @@ class Window:
         self.environment = dict(os.environ, DISPLAY=display.name, **(environment or {}))
         self.started = time.monotonic()
         self.process = subprocess.Popen(
-            [PROGRAM, "--state-file", self.state_path, "--preferences", "none", *arguments], env=self.environment,
+            [PROGRAM, "--state-file", self.state_path,
+             *([] if "--preferences" in arguments else ["--preferences", "none"]), *arguments], env=self.environment,
             cwd=cwd or self.folder.name)
         self.wait(lambda s: True, "the window to appear")
         self.id = self.xdotool("search", "--sync", "--onlyvisible", "--pid", str(self.process.pid)).split()[0]
@@ -138,7 +139,8 @@ class Window:
             self.wait(lambda s: s["keys_pressed"] > before, f"'{chord}' to be heard", ends=True)
 
     def type(self, text):
-        self.xdotool("type", "--delay", "30", text)
+        self.xdotool("type", "--delay", "40", text)
+        time.sleep(0.5)
 
     def move(self, x, y):
         self.xdotool("mousemove", str(int(x)), str(int(y)))
@@ -169,21 +171,29 @@ class Window:
             self.xdotool("mousemove", str(int(x0 + (x1 - x0) * i / 10)), str(int(y0 + (y1 - y0) * i / 10)))
             time.sleep(0.03)
         time.sleep(0.1)
+        before = self.state()["buttons_released"]
         self.xdotool("mouseup", "1")
-        time.sleep(0.12)
+        self.wait(lambda s: s["buttons_released"] > before, "the mouse to be heard")
         if modifier:
             self.xdotool("keyup", modifier)
 
     def widget(self, name):
-        """Middle of a widget, once it is there."""
-        state = self.wait(lambda s: name in s["widgets"], f"the widget '{name}'")
-        x, y, width, height, _ = state["widgets"][name]
+        """Middle of a widget, once it is there and stays in its place."""
+        place = None
+        while True:
+            state = self.wait(lambda s: name in s["widgets"], f"the widget '{name}'")
+            if state["widgets"][name] == place:
+                break
+            place = state["widgets"][name]
+            time.sleep(0.12)
+        x, y, width, height, _ = place
         return x + width / 2, y + height / 2
 
     def click(self, name):
         self.press(*self.widget(name))
 
     def enabled(self, name):
+        self.settled()
         return self.wait(lambda s: name in s["widgets"], f"the widget '{name}'")["widgets"][name][4]
 
     def canvas(self):

@@ -58,6 +58,7 @@ class Keys(harness.WindowTest):
         self.each("step_back", lambda a, b: b["tick"] == a["tick"] - 1)
         self.each("insertion", lambda a, b: vertices(b) == vertices(a) + 1)
         self.each("insertion_back", lambda a, b: vertices(b) == vertices(a) - 1 or b["tick"] < a["tick"])
+        self.go_to("step1")
         for _ in self.press("stage", lambda a, b: b["stage"] == "step2"):
             self.go_to("step1")
         self.window.key("F10", "F10")

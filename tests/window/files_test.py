@@ -1,0 +1,110 @@
+"""Opening by name, by dialog and by drop; what happens with a file that is wrong; exporting."""
+
+import json
+import os
+import unittest
+
+import harness
+import xdnd
+
+SQUARE = {"name": "square", "outer": [[0, 0], [4, 0], [4, 4], [0, 4]], "min_edge_length": 0.5}
+CROSSED = {"name": "crossed", "outer": [[0, 0], [4, 4], [4, 0], [0, 4]]}
+
+
+class Files(harness.WindowTest):
+    def write(self, name, content):
+        path = os.path.join(self.window.folder.name, name)
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(content, file) if not isinstance(content, str) else file.write(content)
+        return path
+
+    def drop(self, path):
+        left, top, width, height = self.window.canvas()
+        xdnd.drop(self.display.name, int(self.window.id), path, left + width / 2, top + height / 2)
+
+    def test_drop_opens_a_file(self):
+        self.drop(self.write("a square.json", SQUARE))
+        state = self.window.wait(lambda s: s["domain"] == "square" and s["activity"] == "idle", "the square")
+        self.assertEqual(state["stage"], "finished")
+        # The whole of it is in view.
+        left, top, width, height = self.window.canvas()
+        for corner in ((0, 0), (4, 4)):
+            x, y = self.window.pixel(*corner)
+            self.assertTrue(left < x < left + width and top < y < top + height)
+        # It can be read again, now that there is a file.
+        self.write("a square.json", dict(SQUARE, min_edge_length=0.25))
+        self.window.key("ctrl+r")
+        self.window.wait(lambda s: s["min_edge"] == 0.25 and s["activity"] == "idle", "the file to be read again")
+
+    def test_wrong_file_says_where_and_keeps_the_mesh(self):
+        before = self.window.settled()
+        for name, content, words in (("crossed.json", CROSSED, ["crossed.json", "outer"]),
+                                     ("broken.json", '{"outer": [[0,0],', ["broken.json"]),
+                                     ("short.json", {"outer": [[0, 0], [1, 0]]}, ["short.json", "at least 3"])):
+            self.drop(self.write(name, content))
+            state = self.window.wait(lambda s: s["dialog"] == "error" and name in s["error"], "the error")
+            for word in words:
+                self.assertIn(word, state["error"])
+            self.assertEqual(state["hash"], before["hash"])
+            self.window.click("dialog.close")
+            self.window.wait(lambda s: s["dialog"] == "none", "the error to close")
+        # The window goes on as before.
+        self.window.key("Left")
+        self.window.wait(lambda s: s["tick"] == before["tick"] - 1, "a step back")
+
+    def test_dialog_opens_a_path_and_a_sample(self):
+        path = self.write("square.json", SQUARE)
+        self.window.key("ctrl+o")
+        self.window.widget("open.path")
+        self.window.type(path)
+        self.window.click("open.ok")
+        self.window.wait(lambda s: s["domain"] == "square", "the square")
+        self.window.key("ctrl+o")
+        self.window.click("file.square.json")
+        self.window.click("open.ok")
+        self.window.wait(lambda s: s["dialog"] == "none", "the dialog to close")
+        self.window.key("ctrl+o")
+        self.window.click("sample.blunt_body")
+        self.window.wait(lambda s: s["domain"] != "square" and s["activity"] == "idle", "the sample")
+
+    def test_export_by_dialog(self):
+        for extension in (".msh", ".vtu", ".svg", ".png"):
+            self.window.key("ctrl+s")
+            self.window.click("export" + extension)
+            self.window.click("export.ok")
+            state = self.window.wait(lambda s: s["message"].startswith("Wrote") and extension in s["message"], extension)
+            path = os.path.join(self.window.folder.name, "blunt_body" + extension)
+            self.assertIn(path, state["message"])
+            self.assertGreater(os.path.getsize(path), 10000)
+
+    def test_export_where_nothing_can_be_written(self):
+        self.window.key("ctrl+s")
+        self.window.widget("export.path")
+        x, y = self.window.widget("export.path")
+        self.window.press(x, y)
+        self.window.key("ctrl+a")
+        self.window.type("/nowhere/at/all.msh")
+        self.window.click("export.ok")
+        state = self.window.wait(lambda s: s["dialog"] == "error", "the error")
+        self.assertIn("/nowhere/at/all.msh", state["error"])
+
+
+class Arguments(unittest.TestCase):
+    def test_a_file_that_is_not_there(self):
+        display = harness.Display()
+        self.addCleanup(display.close)
+        window = harness.Window(display, "/nowhere/at/all.json")
+        self.addCleanup(window.close)
+        state = window.wait(lambda s: s["dialog"] == "error", "the error")
+        self.assertIn("/nowhere/at/all.json", state["error"])
+
+    def test_without_a_display(self):
+        import subprocess
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        process = subprocess.run([harness.PROGRAM], env=environment, capture_output=True, text=True, timeout=30)
+        self.assertEqual(process.returncode, 69)
+        self.assertIn("display", process.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,116 @@
+"""Themes, scales, parameters and the circles: what is on the screen follows what the state says."""
+
+import os
+import tempfile
+import unittest
+
+import harness
+
+
+class Look(harness.WindowTest):
+    def test_themes_change_what_is_seen(self):
+        seen = set()
+        for _ in range(3):
+            state = self.window.settled()
+            left, top, _, _ = self.window.canvas()
+            image = self.window.image()
+            self.assertEqual(image.at(left + 4, top + 4), tuple(state["colors"]["background"]), state["theme"])
+            x, y, width, height = state["widgets"]["caption"][:4]
+            colors = image.colors(x, y, width, height)
+            self.assertEqual(max(colors, key=colors.get), tuple(state["colors"]["surface"]), state["theme"])
+            seen.add(state["theme"])
+            self.window.key("ctrl+t")
+            self.window.wait(lambda s: s["theme"] != state["theme"], "another theme")
+        self.assertEqual(seen, {"light", "dark", "high_contrast"})
+
+    def test_scales_keep_everything_on_the_screen(self):
+        small = self.window.settled()["widgets"]["open"][3]
+        for scale in (0.75, 1.5, 2.0, 3.0):
+            while self.window.settled()["scale"] != scale:
+                self.window.key("ctrl+equal" if self.window.state()["scale"] < scale else "ctrl+minus")
+            state = self.window.settled()
+            self.assertAlmostEqual(state["widgets"]["open"][3] / small, scale, delta=0.1)
+            fixed = ["open", "play_pause", "to_end", "speed", "fit", "save_picture", "canvas", "tab.Stages", "tab.Inspect"]
+            for name in fixed:
+                x, y, width, height, _ = state["widgets"][name]
+                self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, (scale, name))
+            for i, first in enumerate(fixed):
+                for second in fixed[i + 1:]:
+                    a, b = state["widgets"][first], state["widgets"][second]
+                    apart = (a[0] + a[2] <= b[0] or b[0] + b[2] <= a[0] or a[1] + a[3] <= b[1] or b[1] + b[3] <= a[1])
+                    self.assertTrue(apart, (scale, first, second))
+
+    def test_worst_circles_are_where_the_state_says(self):
+        self.window.key("2")
+        state = self.window.wait(lambda s: s["selection"]["kind"] == "triangle", "the worst triangle")
+        left, top, width, height = self.window.canvas()
+        with_circles = self.window.image().colors(left, top, width, height)
+        self.window.key("w", "l")
+        self.window.settled()
+        without = self.window.image().colors(left, top, width, height)
+        changed = sum(abs(with_circles.get(c, 0) - without.get(c, 0)) for c in set(with_circles) | set(without))
+        self.assertGreater(changed, 200)
+        self.assertTrue(state["figures"]["within_bounds"])
+
+    def test_a_step_is_drawn(self):
+        self.window.click("stage.step1")
+        self.window.wait(lambda s: s["stage"] == "step1", "step 1")
+        left, top, width, height = self.window.canvas()
+        for _ in range(3):
+            before = self.window.image().colors(left, top, width, height)
+            caption = self.window.state()["caption"]
+            self.window.key("F10")
+            state = self.window.wait(lambda s: s["caption"] != caption, "another caption")
+            self.assertRegex(state["caption"], r"^Step 1 put vertex \d+ at the circumcentre of triangle \d+: .* R = ")
+            self.assertNotEqual(self.window.image().colors(left, top, width, height), before)
+
+
+class Parameters(harness.WindowTest):
+    def test_switches_and_numbers_mesh_again(self):
+        window = self.window
+        start = window.settled()
+        window.click("tab.Params")
+        for name in ("laplacian", "reduce_obtuse", "shared_edge"):
+            before = window.settled()
+            window.click("param." + name)
+            after = window.wait(lambda s: s["settings"][name] == 0 and not s["stale"] and s["activity"] == "idle", name)
+            self.assertNotEqual(after["hash"], before["hash"])
+        self.assertGreater(after["figures"]["obtuse"], start["figures"]["obtuse"])
+        window.key("ctrl+z", "ctrl+z", "ctrl+z")
+        window.wait(lambda s: s["hash"] == start["hash"], "everything undone")
+        x, y = window.widget("param.omega")
+        window.drag(x - 60, y, x + 40, y)
+        dragged = window.wait(lambda s: s["settings"]["omega"] > 0.3 and s["activity"] == "idle", "a larger omega")
+        self.assertEqual(dragged["stage"], "finished")
+        window.click("param.omega.reset")
+        window.wait(lambda s: s["hash"] == start["hash"], "the default again")
+
+    def test_smallest_edge(self):
+        window = self.window
+        start = window.settled()
+        window.click("tab.Params")
+        x, y = window.widget("param.min_edge_length")
+        window.drag(x, y, x + 60, y)
+        coarse = window.wait(lambda s: s["min_edge"] > 1.3 and s["activity"] == "idle" and not s["stale"], "coarser")
+        self.assertLess(coarse["figures"]["triangles"], start["figures"]["triangles"])
+
+
+class Kept(unittest.TestCase):
+    def test_theme_and_scale_are_remembered(self):
+        display = harness.Display()
+        self.addCleanup(display.close)
+        with tempfile.TemporaryDirectory() as home:
+            file = os.path.join(home, "triscope", "window.conf")
+            first = harness.Window(display, "--preferences", file)
+            self.addCleanup(first.close)
+            first.settled()
+            first.key("ctrl+t", "ctrl+equal", "ctrl+q")
+            first.process.wait(harness.TIMEOUT)
+            second = harness.Window(display, "--preferences", file)
+            self.addCleanup(second.close)
+            state = second.settled()
+            self.assertEqual((state["theme"], state["scale"]), ("dark", 1.25))
+
+
+if __name__ == "__main__":
+    unittest.main()
