@@ -47,10 +47,19 @@ void shortEdge(Search& search, std::uint32_t index) {
   }
 }
 
+// A kept edge takes a whole number of pieces, none below Δx: the shortest they can be. To ask for less along it leaves
+// an edge of up to 2Δx among edges of Δx, and angles of 30°.
+double shortestPiece(const Search& search, const Curve& curve) {
+  if (curve.kind != CurveKind::line) return search.minEdge;
+  const double whole = distance(curve.a, curve.b);
+  return whole / std::max(1.0, std::floor(whole / search.minEdge * (1.0 + 1e-9)));
+}
+
 // Length asked for at a corner: Δx where a curved piece ends, a quarter of the shorter edge between straight ones.
 double cornerWish(const Search& search, const Curve& before, const Curve& after) {
   if (before.kind != CurveKind::line || after.kind != CurveKind::line) return search.minEdge;
-  return 0.25 * std::min(distance(before.a, before.b), distance(after.a, after.b));
+  const double quarter = 0.25 * std::min(distance(before.a, before.b), distance(after.a, after.b));
+  return std::max({quarter, shortestPiece(search, before), shortestPiece(search, after)});
 }
 
 void corners(Search& search, const Loop& loop) {
@@ -91,7 +100,7 @@ void gapsOnSide(Search& search, const BoundaryTree& boundary, std::uint32_t inde
       const double cosineBetween = dot(normal, facing) / length(facing);
       if (cosineBetween < kFacing || (piece.twoSided && cosineBetween > -kFacing)) {
         width = hit.distance;
-        const double wish = search.settings.gapFraction * width;
+        const double wish = std::max(search.settings.gapFraction * width, shortestPiece(search, curve));
         search.ask(at, wish, Rule::gap, index);
         search.ask(at + (0.5 * width) * normal, wish, Rule::gap, index);
         search.ask(at + width * normal, wish, Rule::gap, index);

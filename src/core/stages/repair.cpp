@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kPatchDepth = 7;
 constexpr std::uint8_t kTried = 32;  // bit of Mesh::tested: breaks no bound or nothing helps, and is unchanged since
+constexpr std::uint8_t kSteps = 31;  // bits of Mesh::tested of steps 1-5
 constexpr int kPasses = 8;           // over the triangles that break a bound, in one visit of the stage
 
 enum class Edit : std::uint8_t { none, move, insert, remove, split };
@@ -59,6 +60,13 @@ Attempt apply(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int
       break;
   }
   return attempt;
+}
+
+// Slots around a vertex: those of the triangles that fill its gap once it is taken out.
+void appendStar(const Mesh& mesh, std::int32_t vertex, std::vector<std::int32_t>& slots) {
+  thread_local Star star;
+  starOf(mesh, vertex, star);
+  for (const std::int32_t rim : star.rim) slots.push_back(triangleOf(rim));
 }
 
 Badness badnessOfAll(const Mesh& mesh) {
@@ -291,15 +299,23 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     }
     ++cursor.index;
     bool inserted = false;
+    thread_local std::vector<std::int32_t> gaps;
+    gaps.clear();
+    const std::uint32_t firstId = mesh.nextId;
     for (const Remedy& remedy : treatment) {
       if (remedy.edit == Edit::none) break;
       const Point from = remedy.edit == Edit::move ? pointOf(mesh, remedy.index) : remedy.to;
+      if (remedy.edit == Edit::remove) appendStar(mesh, remedy.index, gaps);
       const std::int32_t start = mesh.alive(slot) ? slot : mesh.lastTriangle;
       const Attempt attempt = apply(mesh, state, remedy, start, floor);
       record(state, journal, remedy, subject, from, attempt);
       if (remedy.edit == Edit::move) ++counts.moved;
       if (remedy.edit == Edit::remove) ++counts.removed;
       inserted = inserted || remedy.edit == Edit::insert || remedy.edit == Edit::split;
+    }
+    // The steps would put back what was taken out, round after round: they pass over what fills its place.
+    for (const std::int32_t gap : gaps) {
+      if (mesh.alive(gap) && idOf(mesh, gap) >= firstId) mesh.tested[at(gap)] |= kSteps;
     }
     if (inserted) return Outcome::inserted;
     ++cursor.changes;
