@@ -139,8 +139,35 @@ CLI::App& addDebug(CLI::App& app, DebugCommand& options, Texts& texts) {
       ->type_name("WHAT")
       ->allow_extra_args(false);
   debug.add_flag("--json", options.json, "Print one JSON object instead of text");
+  debug.add_option("--save-session", options.saveSession, "Write a session file of that place")->type_name("FILE");
   debug.add_flag("-q,--quiet", options.quiet, "Show no progress");
   return debug;
+}
+
+CLI::App& addSweep(CLI::App& app, SweepCommand& options, Texts& texts) {
+  CLI::App& sweep = *app.add_subcommand("sweep", "Run step 6 for every pair of omega and theta, and print a table");
+  sweep.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
+  addSet(sweep, texts);
+  sweep.add_option("--omega", options.omega, "Values of omega, such as 0.05:0.25:5")
+      ->required()
+      ->type_name("FROM:TO:COUNT");
+  sweep.add_option("--theta", options.theta, "Values of theta in degrees, such as 5:10:6")
+      ->required()
+      ->type_name("FROM:TO:COUNT");
+  sweep.add_option("-o,--output", options.output, "CSV file to write instead of the standard output")
+      ->type_name("FILE");
+  sweep.add_option("-j", options.threads, "Pairs to run at a time; as many as there are cores")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("N");
+  sweep.add_flag("-q,--quiet", options.quiet, "Say nothing unless something is wrong");
+  return sweep;
+}
+
+CLI::App& addReplay(CLI::App& app, ReplayCommand& options) {
+  CLI::App& replay = *app.add_subcommand("replay", "Run a session again and check that every stage is as recorded");
+  replay.add_option("FILE", options.file, "Session file")->required()->type_name("");
+  replay.add_flag("-q,--quiet", options.quiet, "Show no progress and no notes");
+  return replay;
 }
 
 ExitCode complain(const Error& error) {
@@ -163,12 +190,16 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   CheckCommand check;
   FigureCommand figure;
   DebugCommand debug;
+  SweepCommand sweep;
+  ReplayCommand replay;
   Texts texts;
   addWindow(app, window);
   const CLI::App& meshCommand = addMesh(app, mesh, texts);
   const CLI::App& checkCommand = addCheck(app, check);
   const CLI::App& figureCommand = addFigure(app, figure, texts);
   const CLI::App& debugCommand = addDebug(app, debug, texts);
+  const CLI::App& sweepCommand = addSweep(app, sweep, texts);
+  const CLI::App& replayCommand = addReplay(app, replay);
   const CLI::App& settingsCommand = *app.add_subcommand("settings", "List every setting with its range and default");
 
   try {
@@ -202,6 +233,11 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
     if (const Status status = applyRequests(debug, texts); !status.ok()) return complain(status.error());
     return Options{debug};
   }
+  if (sweepCommand.parsed()) {
+    if (const Status status = applySettings(sweep.settings, texts.set); !status.ok()) return complain(status.error());
+    return Options{sweep};
+  }
+  if (replayCommand.parsed()) return Options{replay};
   if (settingsCommand.parsed()) return Options{SettingsCommand{}};
   return Options{window};
 }

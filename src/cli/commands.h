@@ -12,6 +12,8 @@ ExitCode runCommand(const CheckCommand& options);
 ExitCode runCommand(const FigureCommand& options);
 ExitCode runCommand(const SettingsCommand& options);
 ExitCode runCommand(const DebugCommand& options);
+ExitCode runCommand(const SweepCommand& options);
+ExitCode runCommand(const ReplayCommand& options);
 
 /// Prints an error as "triscope: …" on stderr and returns its exit code.
 ExitCode fail(const Error& error);

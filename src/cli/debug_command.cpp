@@ -10,6 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "core/debug/recording.h"
+#include "core/session_file.h"
 
 namespace triscope {
 namespace {
@@ -58,6 +59,23 @@ Error notReached(const Recording& recording) {
       .hint = fmt::format("it has {} decisions and {} events", recording.state().tick, recording.events().size())};
 }
 
+Status saveSession(const DebugCommand& options, const Recording& recording, std::vector<Breakpoint> breakpoints) {
+  Result<std::string> text = readTextFile(options.domain);
+  if (!text.ok()) return text.error();
+  Result<MeshState> start = begin(recording.state().domain, options.settings);
+  if (!start.ok()) return start.error();
+  SessionFile session;
+  session.domainFile = options.domain;
+  session.domainText = std::move(*text);
+  session.settings = options.settings;
+  session.tick = recording.state().tick;
+  session.breakpoints = std::move(breakpoints);
+  session.hashes =
+      stageHashes(std::move(*start), session.tick, ~std::size_t{0}, [](const MeshState&) { return !interrupted(); });
+  if (interrupted()) return stopped();
+  return writeSession(options.saveSession, session);
+}
+
 }  // namespace
 
 ExitCode runCommand(const DebugCommand& options) {
@@ -90,6 +108,9 @@ ExitCode runCommand(const DebugCommand& options) {
     if (interrupted()) return fail(stopped());
   }
   progress.clear();
+  if (!options.saveSession.empty()) {
+    if (const Status saved = saveSession(options, recording, *breakpoints); !saved.ok()) return fail(saved.error());
+  }
 
   const Stop stop{recording, hit ? breakpoints->at(hit->breakpoint).condition.text() : "",
                   hit ? std::optional<std::size_t>(recording.eventOf(*hit)) : std::nullopt};

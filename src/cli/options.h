@@ -57,9 +57,28 @@ struct DebugCommand {
   bool firstViolation = false;
   bool json = false;
   bool quiet = false;
+  std::string saveSession;  // empty: none
+};
+
+/// triscope sweep DOMAIN --omega RANGE --theta RANGE
+struct SweepCommand {
+  std::string domain;
+  Settings settings;
+  std::string omega;  // "0.05:0.25:5"
+  std::string theta;
+  std::string output;    // empty: the standard output
+  unsigned threads = 0;  // 0: one for each core
+  bool quiet = false;
+};
+
+/// triscope replay FILE
+struct ReplayCommand {
+  std::string file;
+  bool quiet = false;
 };
 
 /// What was asked for; triscope [FILE] opens the window.
-using Options = std::variant<WindowOptions, MeshCommand, CheckCommand, FigureCommand, SettingsCommand, DebugCommand>;
+using Options = std::variant<WindowOptions, MeshCommand, CheckCommand, FigureCommand, SettingsCommand, DebugCommand,
+                             SweepCommand, ReplayCommand>;
 
 }  // namespace triscope

@@ -30,11 +30,22 @@ ProgressLine::ProgressLine(bool wanted) {
   color_ = !isSet("NO_COLOR");
 }
 
-void ProgressLine::show(const MeshState& state) {
+bool ProgressLine::due() {
   const auto now = std::chrono::steady_clock::now();
-  if (!terminal_ || now - last_ < kInterval) return;
+  if (!terminal_ || now - last_ < kInterval) return false;
   last_ = now;
   shown_ = true;
+  return true;
+}
+
+void ProgressLine::show(const std::string& line) {
+  if (!due()) return;
+  fmt::print(stderr, "\r{}\x1b[K", line);
+  std::fflush(stderr);
+}
+
+void ProgressLine::show(const MeshState& state) {
+  if (!due()) return;
   const std::size_t triangles = state.mesh.liveCount();
   std::string line{infoOf(state.stage).name};
   if (state.round > 0) line += fmt::format(", round {}", state.round);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 #include "core/state.h"
 
@@ -16,10 +17,12 @@ class ProgressLine {
 
   /// Redraws the line, at most ten times a second.
   void show(const MeshState& state);
+  void show(const std::string& line);
   /// Wipes the line, so that messages can follow.
   void clear();
 
  private:
+  bool due();
   bool shown_ = false;
   bool terminal_ = false;
   bool color_ = false;

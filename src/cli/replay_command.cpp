@@ -1,0 +1,82 @@
+// triscope replay: runs a session again and holds every stage to the hash that was recorded for it.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "core/domain/read.h"
+#include "core/pipeline.h"
+#include "core/session_file.h"
+
+namespace triscope {
+namespace {
+
+std::string stageOf(const StageHash& at) {
+  std::string text(infoOf(at.stage).name);
+  if (at.round > 0) text += fmt::format(", {} {}", at.stage == Stage::refine ? "pass" : "round", at.round);
+  return text;
+}
+
+Error unmet(std::string message, std::string hint, const std::string& file) {
+  return {.code = ExitCode::unmet, .message = std::move(message), .hint = std::move(hint), .file = file};
+}
+
+/// Tells of a domain file that is no longer what the session holds.
+void noteChanges(const SessionFile& session, bool quiet) {
+  if (quiet) return;
+  const Result<std::string> text = readTextFile(session.domainFile);
+  if (!text.ok())
+    fmt::print(stderr, "note: {} is not there; the session's own copy is used\n", session.domainFile);
+  else if (*text != session.domainText)
+    fmt::print(stderr, "note: {} has changed since; the session's own copy is used\n", session.domainFile);
+}
+
+/// What differs first, of the stages recorded and those of this run.
+std::optional<Error> difference(const SessionFile& session, const std::vector<StageHash>& now,
+                                const std::string& file) {
+  for (std::size_t k = 0; k < session.hashes.size(); ++k) {
+    const StageHash& then = session.hashes[k];
+    if (k >= now.size())
+      return unmet(fmt::format("the run differs: it ends before the end of {} at tick {}", stageOf(then), then.tick),
+                   "the session comes from another version of the program, or was edited", file);
+    if (then == now[k]) continue;
+    return unmet(
+        fmt::format("the run differs at the end of {}: the session has hash {:016x} at tick {}, this run {:016x} at "
+                    "tick {}{}",
+                    stageOf(then), then.hash, then.tick, now[k].hash, now[k].tick,
+                    now[k].stage == then.stage && now[k].round == then.round
+                        ? std::string()
+                        : fmt::format(" at the end of {}", stageOf(now[k]))),
+        "the session comes from another version of the program, or was edited", file);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ExitCode runCommand(const ReplayCommand& options) {
+  const Result<SessionFile> session = readSession(options.file);
+  if (!session.ok()) return fail(session.error());
+  noteChanges(*session, options.quiet);
+  Result<Domain> domain = parseDomain(session->domainText, options.file);
+  if (!domain.ok()) return fail(domain.error());
+  Result<MeshState> start = begin(std::make_shared<const Domain>(std::move(*domain)), session->settings);
+  if (!start.ok()) return fail(start.error());
+
+  watchForInterrupt();
+  ProgressLine progress(!options.quiet);
+  const std::vector<StageHash> now =
+      stageHashes(std::move(*start), ~std::uint64_t{0}, session->hashes.size(), [&](const MeshState& state) {
+        progress.show(state);
+        return !interrupted();
+      });
+  progress.clear();
+  if (interrupted()) return fail({.code = ExitCode::cancelled, .message = "stopped by Ctrl+C"});
+  if (const std::optional<Error> differs = difference(*session, now, options.file)) return fail(*differs);
+  fmt::print("{}: {} stage ends, all as recorded\n", options.file, session->hashes.size());
+  return ExitCode::ok;
+}
+
+}  // namespace triscope

@@ -1,0 +1,127 @@
+#include "core/debug/parameter_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <iterator>
+#include <mutex>
+#include <thread>
+
+#include "core/io/json_text.h"
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+constexpr std::size_t kMostValues = 1000;
+constexpr std::uint64_t kSlice = 4096;  // decisions between two looks at `cancel`
+constexpr auto kPatience = std::chrono::milliseconds(50);
+
+bool readNumber(std::string_view text, double& value) {
+  const char* const last = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), last, value);
+  return failure == std::errc{} && stop == last && std::isfinite(value);
+}
+
+/// The number that a person would type for it, so that a row can be run again: 0.15, not 0.15000000000000002.
+double asTyped(double value) {
+  readNumber(fmt::format("{:.12g}", value), value);
+  return value;
+}
+
+Error noRange(std::string_view key, std::string_view text) {
+  return {.code = ExitCode::usage,
+          .message = fmt::format("'{}' is no range for {}", text, key),
+          .hint = fmt::format("give FROM:TO:COUNT with COUNT from 1 to {}, such as 0.05:0.25:5, or one number",
+                              kMostValues)};
+}
+
+SweepRow carryOut(MeshState state, double omega, double theta, const std::atomic<bool>& cancel) {
+  state.settings.omega = omega;
+  state.settings.theta = theta;
+  Journal nobody;
+  while (!cancel && advanceUntil(state, Stage::refine, kSlice, nobody)) {
+  }
+  const StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::refine)];
+  return {omega, theta, measure(state.mesh), counts.moved, counts.refused};
+}
+
+}  // namespace
+
+Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view text) {
+  double from = 0.0;
+  double to = 0.0;
+  double count = 1.0;
+  const std::size_t first = text.find(':');
+  if (first == std::string_view::npos) {
+    if (!readNumber(text, from)) return noRange(key, text);
+    to = from;
+  } else {
+    const std::size_t second = text.find(':', first + 1);
+    if (second == std::string_view::npos || !readNumber(text.substr(0, first), from) ||
+        !readNumber(text.substr(first + 1, second - first - 1), to) || !readNumber(text.substr(second + 1), count))
+      return noRange(key, text);
+  }
+  if (!(count >= 1.0 && count <= static_cast<double>(kMostValues)) || count != std::floor(count))
+    return noRange(key, text);
+  const SettingInfo* const info = findSetting(key);
+  std::vector<double> values;
+  for (double k = 0.0; k < count; k += 1.0) {
+    values.push_back(count == 1.0 ? from : asTyped(((count - 1.0 - k) * from + k * to) / (count - 1.0)));
+    Settings settings;
+    if (const Status status = setSetting(settings, *info, values.back()); !status.ok()) return status.error();
+  }
+  return values;
+}
+
+std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& omegas,
+                            const std::vector<double>& thetas, unsigned threads,
+                            const std::function<void(std::size_t)>& done, const std::atomic<bool>& cancel) {
+  std::vector<SweepRow> rows(omegas.size() * thetas.size());
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::size_t finished = 0;  // under the mutex
+  const auto work = [&] {
+    for (std::size_t k = next++; k < rows.size() && !cancel; k = next++) {
+      rows[k] = carryOut(start, omegas[k / thetas.size()], thetas[k % thetas.size()], cancel);
+      const std::lock_guard lock(mutex);
+      ++finished;
+      changed.notify_one();
+    }
+  };
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::thread> pool;
+  for (std::size_t k = 0; k < std::min<std::size_t>(threads, rows.size()); ++k) pool.emplace_back(work);
+  for (std::size_t told = 0; told < rows.size() && !cancel;) {
+    std::unique_lock lock(mutex);
+    changed.wait_for(lock, kPatience, [&] { return finished > told; });
+    if (finished == told) continue;
+    told = finished;
+    lock.unlock();
+    if (done) done(told);
+  }
+  for (std::thread& thread : pool) thread.join();
+  if (cancel) rows.clear();
+  return rows;
+}
+
+std::string csvOf(const std::vector<SweepRow>& rows) {
+  std::string text =
+      "omega,theta_deg,triangles,vertices,aspect_ratio_max,aspect_ratio_mean,area_ratio_max,edge_ratio_max,"
+      "min_angle_deg,max_angle_deg,obtuse,bounds_met,moved,refused\n";
+  for (const SweepRow& row : rows) {
+    const Quality& q = row.quality;
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", jsonNumber(row.omega),
+                   jsonNumber(row.theta), q.triangles, q.vertices, jsonNumber(q.aspectMax), jsonNumber(q.aspectMean),
+                   jsonNumber(q.areaRatioMax), jsonNumber(q.edgeRatioMax), jsonNumber(q.minAngle),
+                   jsonNumber(q.maxAngle), q.obtuse, q.withinBounds() ? 1 : 0, row.moved, row.refused);
+  }
+  return text;
+}
+
+}  // namespace triscope

@@ -1,0 +1,37 @@
+// Step 6 for every pair of ω and θ: steps 1-5 run once, every pair is carried on from a copy of their state.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/quality/quality.h"
+#include "core/result.h"
+#include "core/state.h"
+
+namespace triscope {
+
+struct SweepRow {
+  double omega = 0.0;
+  double theta = 0.0;  // degrees
+  Quality quality;
+  std::uint64_t moved = 0;    // vertices moved by step 6
+  std::uint64_t refused = 0;  // moves refused
+};
+
+/// "0.05:0.25:5" as 0.05, 0.10, …, 0.25; a single number as itself. Errors (usage) name `key`, a setting, whose range
+/// holds for every value.
+Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view text);
+
+/// One row for each pair, ω by ω, in the order given whatever the number of threads (0: one for each core). `start` is
+/// a state that has not begun step 6. `done` is called with the number of pairs done, from this thread. Empty when
+/// `cancel` became true.
+std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& omegas,
+                            const std::vector<double>& thetas, unsigned threads,
+                            const std::function<void(std::size_t)>& done, const std::atomic<bool>& cancel);
+
+/// As CSV, with a line of column names.
+std::string csvOf(const std::vector<SweepRow>& rows);
+
+}  // namespace triscope
