@@ -1,5 +1,7 @@
 #include "core/session.h"
 
+#include <algorithm>
+
 #include "core/session_worker.h"
 
 namespace triscope {
@@ -14,7 +16,13 @@ void Session::apply(const Command& order) {
     settings_ = change->settings;
     settingsOrder_ = orders_;
   }
+  if (const auto* set = std::get_if<command::SetBreakpoints>(&order)) breakpoints_ = set->list;
   worker_->order(order);
+}
+
+std::span<const Event> Session::events() const {
+  const std::size_t count = current_ ? static_cast<std::size_t>(current_->events) : 0;
+  return std::span(events_).first(std::min(count, events_.size()));
 }
 
 bool Session::poll() {
@@ -25,6 +33,9 @@ bool Session::poll() {
     events_.resize(static_cast<std::size_t>(news->keepEvents));
     events_.insert(events_.end(), news->freshEvents.begin(), news->freshEvents.end());
   }
+  if (news->record) record_ = std::move(news->record);
+  if (news->hits) hits_ = std::move(news->hits);
+  notice_ = std::move(news->notice);
   progress_ = news->progress;
   error_ = std::move(news->error);
   failures_ = news->failures;

@@ -7,14 +7,17 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "core/debug/breakpoint.h"
 #include "core/event.h"
 #include "core/pipeline.h"
 #include "core/quality/quality.h"
 #include "core/result.h"
+#include "core/run_record.h"
 #include "core/settings.h"
 #include "core/state.h"
 
@@ -29,6 +32,14 @@ struct Snapshot {
   std::uint64_t events = 0;   // number of events recorded up to here
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// A breakpoint that was met, in words that outlive the list of breakpoints.
+struct PassedHit {
+  std::uint64_t tick = 0;  // decisions made right after it
+  std::string condition;
+  Breakpoint::Action action = Breakpoint::Action::stop;
+  Event event;
+};
 
 /// What a viewer may ask for. A later command takes the place of one still being carried out.
 namespace command {
@@ -51,6 +62,16 @@ struct Seek {
 struct StepBack {
   Grain grain = Grain::decision;  // stage: to its start, or that of the one before when already there
 };
+struct SeekEvent {
+  std::uint64_t index = 0;  // to right after the decision that this event belongs to
+};
+struct SetBreakpoints {
+  std::vector<Breakpoint> list;
+};
+struct Continue {
+  bool backwards = false;  // to the next, or the last, decision that meets a breakpoint that stops; or the run's end
+};
+struct FindViolation {};  // to the first decision that breaks a bound or a validity rule; stays when there is none
 struct GoTo {
   Stage stage = Stage::constraints;  // to where it begins for the first time, backwards or forwards
 };
@@ -63,7 +84,8 @@ struct Cancel {};  // stops; a re-mesh not yet complete is given up for the mesh
 }  // namespace command
 using Command =
     std::variant<command::OpenFile, command::OpenDomain, command::Change, command::Advance, command::Seek,
-                 command::StepBack, command::GoTo, command::Restart, command::Play, command::Pause, command::Cancel>;
+                 command::StepBack, command::SeekEvent, command::GoTo, command::Restart, command::Play, command::Pause,
+                 command::Cancel, command::SetBreakpoints, command::Continue, command::FindViolation>;
 
 enum class Activity : std::uint8_t { idle, stepping, playing, meshing };
 
@@ -99,7 +121,16 @@ class Session {
   /// True while `current` is the mesh from before a change that is still being carried out.
   [[nodiscard]] bool stale() const { return stale_; }
   /// Events up to `current`, oldest first.
-  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] std::span<const Event> events() const;
+  /// Events of the whole run as far as it is known: those after `current` are of decisions gone back over.
+  [[nodiscard]] std::span<const Event> runEvents() const { return events_; }
+  /// What is known of the whole run; never null.
+  [[nodiscard]] const RunRecord& record() const { return *record_; }
+  [[nodiscard]] const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
+  /// Breakpoints met so far in this run, by tick.
+  [[nodiscard]] const std::vector<PassedHit>& hits() const { return *hits_; }
+  /// What the last command that searched has to say; empty when nothing.
+  [[nodiscard]] const std::string& notice() const { return notice_; }
   [[nodiscard]] const Progress& progress() const { return progress_; }
   [[nodiscard]] bool busy() const { return progress_.activity != Activity::idle; }
   /// Settings in force or being applied.
@@ -113,6 +144,10 @@ class Session {
   std::unique_ptr<SessionWorker> worker_;
   SnapshotPtr current_;
   std::vector<Event> events_;
+  std::shared_ptr<const RunRecord> record_ = std::make_shared<const RunRecord>();
+  std::shared_ptr<const std::vector<PassedHit>> hits_ = std::make_shared<const std::vector<PassedHit>>();
+  std::vector<Breakpoint> breakpoints_;
+  std::string notice_;
   Progress progress_;
   Settings settings_;
   std::optional<Error> error_;

@@ -1,9 +1,9 @@
 #include "core/session_worker.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include "core/domain/read.h"
 
 namespace triscope {
 namespace {
@@ -14,31 +14,7 @@ constexpr auto kSlice = milliseconds(5);          // a slice is not interrupted:
 constexpr auto kFrame = milliseconds(33);         // playing: no use in publishing more often than it is drawn
 constexpr auto kLongStep = milliseconds(250);     // stepping: how often a long step shows how far it is
 constexpr std::uint64_t kMostEvents = 6'000'000;  // about half a gigabyte; later events are made but not kept
-constexpr std::size_t kCheckpointBytes = 256u << 20u;
-
-template <class T>
-std::size_t bytesOf(const std::vector<T>& v) {
-  return v.size() * sizeof(T);
-}
-
-std::size_t bytesOf(const MeshState& s) {
-  const Mesh& m = s.mesh;
-  return bytesOf(m.points) + bytesOf(m.kinds) + bytesOf(m.density) + bytesOf(m.vertexTriangle) + bytesOf(m.vertexEdge) +
-         bytesOf(m.triangles) + bytesOf(m.ids) + bytesOf(m.flags) + bytesOf(m.freeSlots) + bytesOf(m.edges) +
-         bytesOf(s.constraints) + bytesOf(s.tree.cells) + bytesOf(s.boundary) + bytesOf(s.front1) + bytesOf(s.front2) +
-         bytesOf(s.cursor.worklist) + bytesOf(s.cursor.next);
-}
-
-bool refines(const Settings& s) { return s.laplacian || s.reduceObtuse || s.sharedEdge; }
-
-/// First stage that the difference between two settings can matter to; `finished` when they are the same.
-Stage firstAffected(const Settings& a, const Settings& b) {
-  Stage first = Stage::finished;
-  for (const SettingInfo& info : settingTable())
-    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
-  // Whether step 6 is entered at all is decided when the stage before it ends.
-  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
-}
+constexpr std::size_t kMostHits = 10'000;
 
 /// How far the run is, from 0 to 1: insertions make up most of it, step 6 the rest.
 double fractionDone(const MeshState& s) {
@@ -60,6 +36,7 @@ SessionWorker::~SessionWorker() {
   {
     const std::lock_guard lock(mutex_);
     quit_ = true;
+    interrupt_ = true;
   }
   inboxChanged_.notify_one();
   thread_.join();
@@ -69,6 +46,7 @@ void SessionWorker::order(const Command& command) {
   {
     const std::lock_guard lock(mutex_);
     inbox_.push_back(command);
+    interrupt_ = true;
     idle_ = false;
   }
   inboxChanged_.notify_one();
@@ -90,6 +68,7 @@ void SessionWorker::loop() {
     if (!inbox_.empty()) {
       const Command command = std::move(inbox_.front());
       inbox_.pop_front();
+      interrupt_ = !inbox_.empty();
       lock.unlock();
       carryOut(command);
       lock.lock();
@@ -111,200 +90,10 @@ void SessionWorker::loop() {
   }
 }
 
-void SessionWorker::carryOut(const Command& order) {
-  ++ordersDone_;
-  error_.reset();
-  struct Visitor {
-    SessionWorker& w;
-    void operator()(const command::OpenFile& c) const {
-      Result<Domain> domain = readDomain(c.path);
-      if (domain)
-        w.open(std::make_shared<const Domain>(std::move(*domain)));
-      else
-        w.fail(domain.error());
-    }
-    void operator()(const command::OpenDomain& c) const { w.open(c.domain); }
-    void operator()(const command::Change& c) const { w.change(c.settings); }
-    void operator()(const command::Advance& c) const { w.headFor(c.grain); }
-    void operator()(const command::Seek& c) const { w.seek(c.tick); }
-    void operator()(const command::StepBack& c) const { w.stepBack(c.grain); }
-    void operator()(const command::GoTo& c) const { w.goTo(c.stage); }
-    void operator()(const command::Restart&) const { w.seek(0); }
-    void operator()(const command::Play& c) const {
-      w.head({.kind = Goal::Kind::play, .rate = std::max(c.decisionsPerSecond, 0.01)}, Activity::playing);
-    }
-    void operator()(const command::Pause&) const { w.halt(); }
-    void operator()(const command::Cancel&) const { w.cancel(); }
-  };
-  const bool opens =
-      std::holds_alternative<command::OpenFile>(order) || std::holds_alternative<command::OpenDomain>(order);
-  if (!loaded_ && !opens)
-    publishProgress();  // nothing to work on yet
-  else
-    std::visit(Visitor{*this}, order);
-}
-
-void SessionWorker::open(std::shared_ptr<const Domain> domain) {
-  keepBackup();
-  Settings settings = state_.settings;
-  settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
-  if (startOver(std::move(domain), settings)) head({.kind = Goal::Kind::end}, Activity::meshing);
-}
-
-void SessionWorker::change(const Settings& settings) {
-  const Stage first = firstAffected(state_.settings, settings);
-  const bool untouched = state_.stage < first || (state_.stage == first && !state_.cursor.begun);
-  if (first == Stage::finished || untouched) {
-    state_.settings = settings;
-    std::erase_if(checkpoints_, [first](const Checkpoint& c) {
-      return c.state->stage > first || (c.state->stage == first && c.state->cursor.begun);
-    });
-    if (!backup_ && goal_.kind == Goal::Kind::none) publishState();
-    return;
-  }
-  keepBackup();
-  const MeshState& before = *backup_->at.state;
-  const bool toEnd = before.stage == Stage::finished || goal_.kind == Goal::Kind::end;
-  const std::uint64_t tick = before.tick;
-  if (first == Stage::constraints) {
-    if (!startOver(state_.domain, settings)) return;
-  } else {
-    const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(), [first](const Checkpoint& c) {
-      return c.state->stage < first || (c.state->stage == first && !c.state->cursor.begun);
-    });
-    const Checkpoint start = *last;  // there is always one: the first stage's
-    state_.settings = settings;
-    returnTo(start);
-  }
-  head({.kind = toEnd ? Goal::Kind::end : Goal::Kind::tick, .tick = tick}, Activity::meshing);
-}
-
-void SessionWorker::seek(std::uint64_t tick) {
-  if (backup_) cancel();
-  const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(),
-                                 [tick](const Checkpoint& c) { return c.state->tick <= tick; });
-  if (state_.tick > tick || last->state->tick > state_.tick) {
-    const Checkpoint start = *last;
-    const std::vector<Checkpoint> later(last.base(), checkpoints_.end());  // the run ahead is the same run
-    returnTo(start);
-    checkpoints_.insert(checkpoints_.end(), later.begin(), later.end());
-  }
-  head({.kind = Goal::Kind::tick, .tick = tick}, Activity::stepping);
-}
-
-void SessionWorker::stepBack(Grain grain) {
-  const std::uint64_t now = state_.tick;
-  if (grain == Grain::decision) return seek(now == 0 ? 0 : now - 1);
-  if (grain == Grain::insertion) {
-    if (const auto tick = lastInsertionBefore(now)) return seek(*tick);
-    return halt();
-  }
-  const auto before = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(),
-                                   [now](const Checkpoint& c) { return c.state->tick < now; });
-  seek(before == checkpoints_.rend() ? 0 : before->state->tick);
-}
-
-void SessionWorker::goTo(Stage stage) {
-  if (backup_) cancel();
-  const auto entry = std::find_if(checkpoints_.begin(), checkpoints_.end(),
-                                  [stage](const Checkpoint& c) { return c.state->stage >= stage; });
-  if (entry != checkpoints_.end()) return seek(entry->state->tick);
-  head({.kind = Goal::Kind::entry, .stage = stage}, Activity::stepping);
-}
-
-bool SessionWorker::interrupted() {
-  const std::lock_guard lock(mutex_);
-  return quit_ || !inbox_.empty();
-}
-
-std::optional<std::uint64_t> SessionWorker::lastInsertionBefore(std::uint64_t tick) {
-  constexpr std::uint64_t kBetweenLooks = 256;
-  Journal deaf;
-  for (auto from = checkpoints_.rbegin(); from != checkpoints_.rend(); ++from) {
-    if (from->state->tick >= tick) continue;
-    MeshState replay = *from->state;
-    replay.settings = state_.settings;
-    // Beyond the next checkpoint nothing was found already.
-    const std::uint64_t end = from == checkpoints_.rbegin() ? tick : std::min(tick, from.base()->state->tick + 1);
-    std::optional<std::uint64_t> found;
-    for (std::size_t vertices = replay.mesh.points.size();
-         advance(replay, Grain::decision, deaf) && replay.tick < end;) {
-      if (replay.mesh.points.size() > vertices) found = replay.tick;
-      vertices = replay.mesh.points.size();
-      if (replay.tick % kBetweenLooks == 0 && interrupted()) return std::nullopt;
-    }
-    if (found) return found;
-  }
-  return 0;
-}
-
-void SessionWorker::cancel() {
-  if (!backup_) return halt();
-  const Backup backup = std::move(*backup_);
-  backup_.reset();
-  state_ = *backup.at.state;
-  recorded_ = kept_ = backup.at.events;
-  fresh_.clear();
-  last_ = backup.at.last;
-  checkpoints_ = backup.checkpoints;
-  goal_ = {};
-  progress_.activity = Activity::idle;
-  publishProgress();
-}
-
-void SessionWorker::head(Goal goal, Activity activity) {
-  goal_ = goal;
-  progress_.activity = activity;
-  owed_ = goal.kind == Goal::Kind::play ? 1.0 : 0.0;  // the first decision at once
-  goalSince_ = lastSlice_ = Clock::now();
-  lastPublished_ = goalSince_;
-  publishProgress();
-}
-
-void SessionWorker::headFor(Grain grain) {
-  if (backup_) cancel();
-  Goal goal{.stage = state_.stage, .round = state_.round, .vertices = state_.mesh.points.size()};
-  switch (grain) {
-    case Grain::decision:
-      goal.kind = Goal::Kind::decision;
-      break;
-    case Grain::insertion:
-      goal.kind = Goal::Kind::insertion;
-      break;
-    case Grain::stage:
-      goal.kind = Goal::Kind::stage;
-      break;
-    case Grain::round:
-      goal.kind = Goal::Kind::round;
-      break;
-    case Grain::all:
-      goal.kind = Goal::Kind::end;
-      break;
-  }
-  head(goal, Activity::stepping);
-}
-
-void SessionWorker::halt() {
-  goal_ = {};
-  backup_.reset();
-  progress_.activity = Activity::idle;
-  publishState();
-}
-
-void SessionWorker::fail(Error error) {
-  error_ = std::move(error);
-  ++failures_;
-  publishProgress();
-}
-
 void SessionWorker::slice() {
   const auto start = Clock::now();
   std::uint64_t decisions = chunk_;
   switch (goal_.kind) {
-    case Goal::Kind::decision:
-    case Goal::Kind::insertion:
-      decisions = 1;
-      break;
     case Goal::Kind::tick:
       decisions = std::min(chunk_, goal_.tick - std::min(goal_.tick, state_.tick));
       break;
@@ -318,15 +107,19 @@ void SessionWorker::slice() {
       break;
   }
   lastSlice_ = start;
-  // Single decisions are taken until the slice is full; larger chunks fill one at once.
-  do carry(decisions);
-  while (goal_.kind == Goal::Kind::insertion && !reached() && Clock::now() - start < kSlice);
+  if (goal_.kind == Goal::Kind::breakpoint)
+    carryWatching(start + kSlice);
+  else
+    carry(decisions);
   const auto spent = Clock::now() - start;
-  if (decisions == chunk_) {
+  if (decisions == chunk_ && goal_.kind != Goal::Kind::breakpoint) {
     if (spent < kSlice / 2) chunk_ = std::min<std::uint64_t>(chunk_ * 2, 1u << 20u);
     if (spent > kSlice) chunk_ = std::max<std::uint64_t>(chunk_ / 2, 1);
   }
-  if (reached()) return halt();
+  if (reached()) {
+    if (goal_.kind == Goal::Kind::breakpoint && !stopped_) notice_ = "No breakpoint was met before the end of the run.";
+    return halt();
+  }
   const auto now = Clock::now();
   const auto patience = goal_.kind == Goal::Kind::play ? kFrame : kLongStep;
   if (now - lastPublished_ < std::max<Clock::duration>(patience, 4 * publishCost_)) return;
@@ -336,28 +129,71 @@ void SessionWorker::slice() {
     publishState();
 }
 
-void SessionWorker::carry(std::uint64_t decisions) {
-  if (decisions == 0 || over()) return;
-  slice_.clear();
-  Journal journal{&slice_};
-  const Stage before = state_.stage;
-  if (decisions == 1)
-    advance(state_, Grain::decision, journal);
-  else
-    advanceUntil(state_, before, decisions, journal);  // never beyond the stage: its end is a checkpoint
-  if (!slice_.empty()) last_ = slice_.back();
-  if (recorded_ < kMostEvents) {
-    fresh_.insert(fresh_.end(), slice_.begin(), slice_.end());
-    recorded_ += slice_.size();
+void SessionWorker::carry(std::uint64_t beats) {
+  ChangeLog changes;
+  Journal journal{&beat_};
+  for (; beats > 0 && !over(); --beats) {
+    beat_.clear();
+    changes.slots.clear();
+    const Stage stage = state_.stage;
+    const std::uint64_t tick = state_.tick;
+    const std::size_t points = state_.mesh.points.size();
+    advanceUntil(state_, stage, 1, journal);
+    recorder_.follow(state_, recordBeat(tick, points), changes);
+    if (state_.tick != tick) history_.offer(state_, recorded_);
+    if (state_.stage != stage) rememberStage();
+    if (reached()) return;
   }
-  if (state_.stage != before) rememberStage();
+}
+
+void SessionWorker::carryWatching(Clock::time_point end) {
+  std::vector<Hit> hits;
+  while (!reached()) {
+    const std::uint64_t tick = state_.tick;
+    const std::size_t points = state_.mesh.points.size();
+    const bool more = watch_->step(hits);
+    beat_ = watch_->events();
+    recorder_.follow(state_, recordBeat(tick, points), watch_->quality());
+    if (state_.tick != tick) history_.offer(state_, recorded_);
+    for (const Hit& hit : hits) takeHit(hit, breakpoints_);
+    hits.clear();
+    if (!more || Clock::now() >= end) return;
+  }
+}
+
+Beat SessionWorker::recordBeat(std::uint64_t tickBefore, std::size_t pointsBefore) {
+  if (!beat_.empty()) last_ = beat_.back();
+  recorded_ += beat_.size();
+  if (recorded_ > known_) {
+    // A replay makes events again that the viewer has.
+    const auto fresh = static_cast<std::ptrdiff_t>(recorded_ - known_);
+    if (known_ < kMostEvents) fresh_.insert(fresh_.end(), beat_.end() - fresh, beat_.end());
+    known_ = recorded_;
+    recordChanged_ = true;
+  }
+  return {tickBefore, pointsBefore, beat_, recorded_};
+}
+
+void SessionWorker::takeHit(const Hit& hit, std::span<const Breakpoint> breakpoints) {
+  const Breakpoint& met = breakpoints[hit.breakpoint];
+  const std::string& condition = met.condition.text();
+  if (met.action == Breakpoint::Action::stop) {
+    stopped_ = true;
+    notice_ = fmt::format("Stopped at decision {}: {}", hit.tick, condition);
+  }
+  if (hits_.size() >= kMostHits) return;
+  const auto after = std::upper_bound(hits_.begin(), hits_.end(), hit.tick,
+                                      [](std::uint64_t tick, const PassedHit& h) { return tick < h.tick; });
+  for (auto same = after; same != hits_.begin() && (same - 1)->tick == hit.tick; --same)
+    if ((same - 1)->condition == condition) return;
+  hits_.insert(after, {hit.tick, condition, met.action, hit.event});
+  hitsChanged_ = true;
 }
 
 bool SessionWorker::reached() const {
   if (over()) return true;
   switch (goal_.kind) {
     case Goal::Kind::none:
-    case Goal::Kind::decision:
       return true;
     case Goal::Kind::insertion:
       return state_.mesh.points.size() > goal_.vertices;
@@ -368,65 +204,16 @@ bool SessionWorker::reached() const {
     case Goal::Kind::tick:
       return state_.tick >= goal_.tick;
     case Goal::Kind::entry:
-      return state_.stage >= goal_.stage;
+      if (goal_.tick == kUnknown) return state_.stage >= goal_.stage;
+      return state_.tick > goal_.tick ||
+             (state_.tick == goal_.tick && state_.stage == goal_.stage && state_.round == goal_.round);
+    case Goal::Kind::breakpoint:
+      return stopped_;
     case Goal::Kind::end:
     case Goal::Kind::play:
       return false;
   }
   return true;
-}
-
-bool SessionWorker::startOver(std::shared_ptr<const Domain> domain, const Settings& settings) {
-  Result<MeshState> begun = begin(std::move(domain), settings);
-  if (!begun) {
-    if (backup_) cancel();
-    fail(begun.error());
-    return false;
-  }
-  state_ = std::move(*begun);
-  loaded_ = true;
-  recorded_ = kept_ = 0;
-  fresh_.clear();
-  last_.reset();
-  checkpoints_.clear();
-  rememberStage();
-  return true;
-}
-
-void SessionWorker::returnTo(const Checkpoint& checkpoint) {
-  const Settings settings = state_.settings;
-  state_ = *checkpoint.state;
-  state_.settings = settings;
-  recorded_ = checkpoint.events;
-  if (recorded_ >= kept_) {
-    fresh_.resize(static_cast<std::size_t>(recorded_ - kept_));
-  } else {
-    kept_ = recorded_;
-    fresh_.clear();
-  }
-  last_ = checkpoint.last;
-  const std::uint64_t tick = state_.tick;
-  std::erase_if(checkpoints_, [tick](const Checkpoint& c) { return c.state->tick > tick; });
-}
-
-void SessionWorker::rememberStage() {
-  for (const Checkpoint& c : checkpoints_)
-    if (c.state->stage == state_.stage) return;
-  const std::size_t bytes = bytesOf(state_);
-  std::size_t total = bytes;
-  for (const Checkpoint& c : checkpoints_) total += c.bytes;
-  // The latest saves the most work; the earliest costs nearly nothing.
-  while (total > kCheckpointBytes && checkpoints_.size() > 1) {
-    total -= checkpoints_.back().bytes;
-    checkpoints_.pop_back();
-  }
-  checkpoints_.push_back({std::make_shared<const MeshState>(state_), recorded_, last_, bytes});
-}
-
-void SessionWorker::keepBackup() {
-  if (backup_ || !loaded_) return;
-  if (recorded_ != kept_ || !fresh_.empty()) publishState();
-  backup_ = Backup{{std::make_shared<const MeshState>(state_), recorded_, last_, 0}, checkpoints_};
 }
 
 Publication& SessionWorker::outbox() {
@@ -443,6 +230,7 @@ Publication& SessionWorker::outbox() {
   news.ordersDone = ordersDone_;
   news.error = error_;
   news.failures = failures_;
+  news.notice = notice_;
   news.stale = backup_.has_value();
   return news;
 }
@@ -464,6 +252,10 @@ void SessionWorker::publishState() {
   snapshot->quality = measure(state_.mesh);
   snapshot->last = last_;
   snapshot->events = recorded_;
+  std::shared_ptr<const RunRecord> record;
+  std::shared_ptr<const std::vector<PassedHit>> hits;
+  if (std::exchange(recordChanged_, false)) record = std::make_shared<const RunRecord>(recorder_.record());
+  if (std::exchange(hitsChanged_, false)) hits = std::make_shared<const std::vector<PassedHit>>(hits_);
   {
     const std::lock_guard lock(mutex_);
     Publication& news = outbox();
@@ -473,12 +265,13 @@ void SessionWorker::publishState() {
       news.freshEvents.insert(news.freshEvents.end(), fresh_.begin(), fresh_.end());
     } else {
       news.keepEvents = kept_;
-      news.freshEvents = std::move(fresh_);
+      news.freshEvents = fresh_;
     }
     news.snapshot = std::move(snapshot);
+    if (record) news.record = std::move(record);
+    if (hits) news.hits = std::move(hits);
   }
-  fresh_.clear();
-  kept_ = recorded_;
+  kept_ += std::exchange(fresh_, {}).size();
   lastPublished_ = Clock::now();
   publishCost_ = lastPublished_ - start;
   if (wake_) wake_();

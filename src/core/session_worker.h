@@ -1,6 +1,7 @@
 // The thread behind a Session. Commands go in, publications come out; nothing else is shared.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -9,15 +10,19 @@
 #include <thread>
 #include <vector>
 
+#include "core/history/history.h"
 #include "core/session.h"
 
 namespace triscope {
 
 /// What the worker has to tell since it was last asked.
 struct Publication {
-  SnapshotPtr snapshot;            // the newest, null when there is no new one
-  std::uint64_t keepEvents = 0;    // with a snapshot: drop the viewer's events beyond this many …
-  std::vector<Event> freshEvents;  // … and append these
+  SnapshotPtr snapshot;                                // the newest, null when there is no new one
+  std::uint64_t keepEvents = 0;                        // with a snapshot: drop the viewer's events beyond this many …
+  std::vector<Event> freshEvents;                      // … and append these
+  std::shared_ptr<const RunRecord> record;             // null when unchanged, as is the next
+  std::shared_ptr<const std::vector<PassedHit>> hits;  // by tick
+  std::string notice;
   Progress progress;
   Settings settings;             // in force
   std::uint64_t ordersDone = 0;  // commands that had been taken up by then
@@ -40,24 +45,27 @@ class SessionWorker {
 
  private:
   using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kHistoryBytes = std::size_t{256} << 20u;
+
+  static constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
 
   /// What the worker is heading for.
   struct Goal {
     enum class Kind : std::uint8_t {
       none,
-      decision,
       insertion,
       stage,
       round,
       tick,
       entry,
       end,
-      play
+      play,
+      breakpoint
     } kind = Kind::none;
     Stage stage = Stage::constraints;  // stage, round: where the step began; entry: where to stop
     std::uint16_t round = 0;
     std::size_t vertices = 0;  // insertion: how many there were
-    std::uint64_t tick = 0;    // tick: where to stop
+    std::uint64_t tick = 0;    // tick: where to stop; entry: decisions before it, kUnknown when not known
     double rate = 0.0;         // play: decisions per second
   };
 
@@ -74,6 +82,14 @@ class SessionWorker {
   struct Backup {
     Checkpoint at;
     std::vector<Checkpoint> checkpoints;
+    RunRecorder recorder;
+    std::vector<PassedHit> hits;
+    std::uint64_t known = 0;
+    std::uint64_t kept = 0;
+    // Keyframes: those up to `branch` are still in history_, unless `whole` has them all.
+    std::uint64_t branch = kUnknown;
+    std::vector<Keyframe> later;
+    std::optional<History> whole;
   };
 
   void loop();
@@ -81,25 +97,34 @@ class SessionWorker {
   void open(std::shared_ptr<const Domain> domain);
   void change(const Settings& settings);
   void seek(std::uint64_t tick);
+  void seekEntry(const StageEntry& entry);
+  void seekEvent(std::uint64_t index);
   void stepBack(Grain grain);
   void goTo(Stage stage);
+  void setBreakpoints(std::vector<Breakpoint> list);
+  void goOn(bool backwards);
+  void goBackToBreakpoint();
+  void findViolation();
   void cancel();
   void head(Goal goal, Activity activity);
   void headFor(Grain grain);
   void halt();
   void fail(Error error);
 
-  [[nodiscard]] bool interrupted();
-  /// Tick right after the last insertion before this tick; nothing when a new command came while looking.
-  std::optional<std::uint64_t> lastInsertionBefore(std::uint64_t tick);
-
   void slice();
-  void carry(std::uint64_t decisions);
+  void carry(std::uint64_t beats);
+  void carryWatching(Clock::time_point end);
+  /// Takes in the events of a beat, in beat_, that led to state_.
+  Beat recordBeat(std::uint64_t tickBefore, std::size_t pointsBefore);
   [[nodiscard]] bool over() const { return state_.stage == Stage::finished || state_.failed; }
   [[nodiscard]] bool reached() const;
+  void takeHit(const Hit& hit, std::span<const Breakpoint> breakpoints);
 
   bool startOver(std::shared_ptr<const Domain> domain, const Settings& settings);
-  void returnTo(const Checkpoint& checkpoint);
+  void returnTo(const MeshState& state, std::uint64_t events);
+  void cutRun();                               // what comes after state_ will be another run
+  void setAsideHistory(std::uint64_t branch);  // keyframes after it, for the run that is being given up
+  void rejoinHistory();                        // puts them back
   void rememberStage();
   void keepBackup();
 
@@ -117,17 +142,28 @@ class SessionWorker {
   std::optional<Publication> outbox_;
   bool idle_ = true;
   bool quit_ = false;
+  std::atomic<bool> interrupt_{false};  // a command waits: searches are to stop
 
   // The worker's own.
   MeshState state_;
   bool loaded_ = false;
   std::uint64_t recorded_ = 0;  // events that lead to state_
+  std::uint64_t known_ = 0;     // events of the run, those after state_ too
   std::uint64_t kept_ = 0;      // of these, the viewer has the first kept_ …
   std::vector<Event> fresh_;    // … and these are the rest
-  std::vector<Event> slice_;    // of the slice being run
+  std::vector<Event> beat_;     // of the beat being made
   std::optional<Event> last_;
   std::vector<Checkpoint> checkpoints_;  // by tick
   std::optional<Backup> backup_;         // while a re-mesh is under way
+  History history_{kHistoryBytes};
+  RunRecorder recorder_;
+  std::vector<Breakpoint> breakpoints_;
+  std::optional<Watch> watch_;  // while the goal is a breakpoint
+  std::vector<PassedHit> hits_;
+  bool stopped_ = false;  // the last decision met a breakpoint that stops
+  bool recordChanged_ = false;
+  bool hitsChanged_ = false;
+  std::string notice_;
   Goal goal_;
   Progress progress_;
   std::optional<Error> error_;

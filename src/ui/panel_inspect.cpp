@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 
 #include "core/caption.h"
 #include "core/density/quadtree.h"
@@ -58,7 +59,7 @@ void linkTo(const View& view, Orders& orders, std::int32_t vertex) {
 
 /// The event that made a triangle or vertex, told in words.
 void birth(const View& view, const char* what, bool (*made)(const Event&, std::uint32_t), std::uint32_t id) {
-  const std::vector<Event>& events = view.session.events();
+  const std::span<const Event> events = view.session.events();
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (!made(events[i], id)) continue;
     heading(view, what);

@@ -1,6 +1,7 @@
 #include "core/history/history.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace triscope {
 namespace {
@@ -64,10 +65,24 @@ void History::thin() {
   spacing_ *= 2;
 }
 
-void History::forgetAfter(std::uint64_t tick) {
+void History::forgetAfter(std::uint64_t tick) { (void)splitAfter(tick); }
+
+std::vector<Keyframe> History::splitAfter(std::uint64_t tick) {
+  std::vector<Keyframe> later;
   while (keyframes_.size() > 1 && keyframes_.back().state.tick > tick) {
     bytes_ -= keyframes_.back().bytes;
+    later.push_back(std::move(keyframes_.back()));
     keyframes_.pop_back();
+  }
+  std::reverse(later.begin(), later.end());
+  nextTick_ = keyframes_.back().state.tick + spacing_;
+  return later;
+}
+
+void History::append(std::vector<Keyframe> later) {
+  for (Keyframe& keyframe : later) {
+    bytes_ += keyframe.bytes;
+    keyframes_.push_back(std::move(keyframe));
   }
   nextTick_ = keyframes_.back().state.tick + spacing_;
 }

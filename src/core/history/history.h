@@ -40,6 +40,10 @@ class History {
   /// Drops the keyframes after a tick: what comes next is another run.
   void forgetAfter(std::uint64_t tick);
 
+  /// The same, handing out what is dropped, so that it can be put back by append() when the other run is given up.
+  std::vector<Keyframe> splitAfter(std::uint64_t tick);
+  void append(std::vector<Keyframe> later);
+
   /// The last keyframe at or before a tick.
   [[nodiscard]] const Keyframe& before(std::uint64_t tick) const;
 

@@ -1,0 +1,89 @@
+// What is known of a run as a whole, however far back the viewer stands: where its stages begin, where points were
+// inserted, and the worst measures along it. Fed by whoever carries the run on for the first time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/event.h"
+#include "core/mesh/change_log.h"
+#include "core/quality/running_quality.h"
+#include "core/state.h"
+
+namespace triscope {
+
+/// A stage as the run came to it; steps 2 to 5 and their repair come once a round.
+struct StageEntry {
+  Stage stage = Stage::constraints;
+  std::uint16_t round = 0;
+  std::uint64_t tick = 0;   // decisions before it
+  std::uint64_t event = 0;  // number of the event that says so
+};
+
+/// What led to a state: a decision, a step into the next stage, or several of the latter and a decision.
+struct Beat {
+  std::uint64_t tickBefore = 0;
+  std::size_t pointsBefore = 0;  // of the mesh
+  std::span<const Event> made;   // its events
+  std::uint64_t events = 0;      // number of events of the run, with these
+};
+
+struct QualitySample {
+  std::uint64_t tick = 0;
+  std::uint32_t triangles = 0;
+  std::uint32_t obtuse = 0;
+  std::array<float, kMeasureCount> worst{};  // by Measure; 0 (180 for min_angle) while there is no mesh
+};
+
+struct RunRecord {
+  std::uint64_t ticks = 0;  // decisions known
+  bool complete = false;    // the run is over after them
+  std::vector<StageEntry> stages;
+  std::vector<QualitySample> samples;  // by tick, at most kMostSamples
+};
+
+/// The last entry whose stage begins at or before a tick; nothing for an empty record.
+const StageEntry* entryAt(const RunRecord& record, std::uint64_t tick);
+/// The first entry into a stage or one after it.
+const StageEntry* firstEntry(const RunRecord& record, Stage stage);
+/// The last sample at or before a tick.
+const QualitySample* sampleAt(const RunRecord& record, std::uint64_t tick);
+
+class RunRecorder {
+ public:
+  static constexpr std::size_t kMostSamples = 4096;
+
+  void restart() { *this = {}; }
+  /// What comes after so many decisions and events will be another run.
+  void forgetAfter(std::uint64_t tick, std::uint64_t events);
+
+  /// To be told of every beat, with the state it led to and the slots it changed. What is known already is passed by.
+  void follow(const MeshState& state, const Beat& beat, const ChangeLog& changes);
+  /// The same where somebody else measures: `quality` is up to date with `state`.
+  void follow(const MeshState& state, const Beat& beat, const RunningQuality& quality);
+
+  [[nodiscard]] const RunRecord& record() const { return record_; }
+  /// Decisions made right after the last insertion before this tick, 0 when there is none.
+  [[nodiscard]] std::uint64_t insertionBefore(std::uint64_t tick) const;
+  /// Decisions made once event `index` has happened; nothing when it is not known yet.
+  [[nodiscard]] std::optional<std::uint64_t> tickOfEvent(std::uint64_t index) const;
+
+ private:
+  bool note(const MeshState& state, const Beat& beat);
+  [[nodiscard]] bool due(const MeshState& state) const;
+  void sample(const MeshState& state, const RunningQuality& quality);
+
+  RunRecord record_;
+  std::vector<std::uint32_t> insertions_;   // ticks right after one, ascending
+  std::vector<std::uint32_t> eventsAfter_;  // [k]: events once decision k + 1 is made
+  std::uint64_t events_ = 0;                // known
+  std::uint64_t stride_ = 8;                // decisions between samples
+  RunningQuality quality_;
+  std::vector<std::int32_t> changed_;  // slots that quality_ has not seen yet
+  bool following_ = false;             // quality_ and changed_ belong to the state at `ticks`
+};
+
+}  // namespace triscope

@@ -1,0 +1,97 @@
+// What a session's worker keeps so that it can go back: keyframes, the entries of stages, and the run from before a
+// change while the next one is being made.
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/session_worker.h"
+
+namespace triscope {
+namespace {
+
+constexpr std::size_t kCheckpointBytes = 128u << 20u;
+
+}  // namespace
+
+bool SessionWorker::startOver(std::shared_ptr<const Domain> domain, const Settings& settings) {
+  Result<MeshState> begun = begin(std::move(domain), settings);
+  if (!begun) {
+    if (backup_) cancel();
+    fail(begun.error());
+    return false;
+  }
+  if (backup_ && !backup_->whole) {
+    rejoinHistory();
+    backup_->whole = std::exchange(history_, History(kHistoryBytes));
+  }
+  state_ = std::move(*begun);
+  loaded_ = true;
+  recorded_ = 0;
+  last_.reset();
+  checkpoints_.clear();
+  history_.restart(state_);
+  cutRun();
+  rememberStage();
+  return true;
+}
+
+void SessionWorker::returnTo(const MeshState& state, std::uint64_t events) {
+  const Settings settings = state_.settings;
+  state_ = state;
+  state_.settings = settings;
+  recorded_ = events;
+  last_.reset();
+}
+
+void SessionWorker::cutRun() {
+  known_ = recorded_;
+  kept_ = std::min(kept_, known_);
+  fresh_.resize(std::min<std::size_t>(fresh_.size(), static_cast<std::size_t>(known_ - kept_)));
+  recorder_.forgetAfter(state_.tick, recorded_);
+  std::erase_if(hits_, [this](const PassedHit& hit) { return hit.tick > state_.tick; });
+  recordChanged_ = hitsChanged_ = true;
+}
+
+void SessionWorker::setAsideHistory(std::uint64_t branch) {
+  if (!backup_ || backup_->whole || branch >= backup_->branch) return history_.forgetAfter(branch);
+  history_.forgetAfter(backup_->branch);  // of a re-mesh that was changed again
+  std::vector<Keyframe> later = history_.splitAfter(branch);
+  std::move(backup_->later.begin(), backup_->later.end(), std::back_inserter(later));
+  backup_->later = std::move(later);
+  backup_->branch = branch;
+}
+
+void SessionWorker::rejoinHistory() {
+  if (backup_->whole) return;
+  history_.forgetAfter(backup_->branch);
+  history_.changeSettings(backup_->at.state->settings);
+  history_.append(std::exchange(backup_->later, {}));
+}
+
+void SessionWorker::rememberStage() {
+  for (const Checkpoint& c : checkpoints_)
+    if (c.state->stage == state_.stage) return;
+  const std::size_t bytes = bytesOf(state_);
+  std::size_t total = bytes;
+  for (const Checkpoint& c : checkpoints_) total += c.bytes;
+  // The latest saves the most work; the earliest costs nearly nothing.
+  while (total > kCheckpointBytes && checkpoints_.size() > 1) {
+    total -= checkpoints_.back().bytes;
+    checkpoints_.pop_back();
+  }
+  checkpoints_.push_back({std::make_shared<const MeshState>(state_), recorded_, last_, bytes});
+}
+
+void SessionWorker::keepBackup() {
+  if (backup_ || !loaded_) return;
+  if (goal_.kind != Goal::Kind::none || !fresh_.empty()) publishState();
+  backup_.emplace();
+  backup_->at = {std::make_shared<const MeshState>(state_), recorded_, last_, 0};
+  backup_->checkpoints = checkpoints_;
+  backup_->recorder = recorder_;
+  backup_->hits = hits_;
+  backup_->known = known_;
+  backup_->kept = kept_;
+}
+
+}  // namespace triscope

@@ -1,0 +1,267 @@
+// What the commands of a session do.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/domain/read.h"
+#include "core/session_worker.h"
+
+namespace triscope {
+namespace {
+
+bool refines(const Settings& s) { return s.laplacian || s.reduceObtuse || s.sharedEdge; }
+
+/// First stage that the difference between two settings can matter to; `finished` when they are the same.
+Stage firstAffected(const Settings& a, const Settings& b) {
+  Stage first = Stage::finished;
+  for (const SettingInfo& info : settingTable())
+    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
+  // Whether step 6 is entered at all is decided when the stage before it ends.
+  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
+}
+
+}  // namespace
+
+void SessionWorker::carryOut(const Command& order) {
+  ++ordersDone_;
+  error_.reset();
+  if (!std::holds_alternative<command::SetBreakpoints>(order)) notice_.clear();
+  struct Visitor {
+    SessionWorker& w;
+    void operator()(const command::OpenFile& c) const {
+      Result<Domain> domain = readDomain(c.path);
+      if (domain)
+        w.open(std::make_shared<const Domain>(std::move(*domain)));
+      else
+        w.fail(domain.error());
+    }
+    void operator()(const command::OpenDomain& c) const { w.open(c.domain); }
+    void operator()(const command::Change& c) const { w.change(c.settings); }
+    void operator()(const command::Advance& c) const { w.headFor(c.grain); }
+    void operator()(const command::Seek& c) const { w.seek(c.tick); }
+    void operator()(const command::StepBack& c) const { w.stepBack(c.grain); }
+    void operator()(const command::SeekEvent& c) const { w.seekEvent(c.index); }
+    void operator()(const command::SetBreakpoints& c) const { w.setBreakpoints(c.list); }
+    void operator()(const command::Continue& c) const { w.goOn(c.backwards); }
+    void operator()(const command::FindViolation&) const { w.findViolation(); }
+    void operator()(const command::GoTo& c) const { w.goTo(c.stage); }
+    void operator()(const command::Restart&) const { w.seek(0); }
+    void operator()(const command::Play& c) const {
+      w.head({.kind = Goal::Kind::play, .rate = std::max(c.decisionsPerSecond, 0.01)}, Activity::playing);
+    }
+    void operator()(const command::Pause&) const { w.halt(); }
+    void operator()(const command::Cancel&) const { w.cancel(); }
+  };
+  const bool opens =
+      std::holds_alternative<command::OpenFile>(order) || std::holds_alternative<command::OpenDomain>(order);
+  const bool always = opens || std::holds_alternative<command::SetBreakpoints>(order);
+  if (!loaded_ && !always)
+    publishProgress();  // nothing to work on yet
+  else
+    std::visit(Visitor{*this}, order);
+}
+
+void SessionWorker::open(std::shared_ptr<const Domain> domain) {
+  keepBackup();
+  Settings settings = state_.settings;
+  settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
+  if (startOver(std::move(domain), settings)) head({.kind = Goal::Kind::end}, Activity::meshing);
+}
+
+void SessionWorker::change(const Settings& settings) {
+  const Stage first = firstAffected(state_.settings, settings);
+  const bool untouched = state_.stage < first || (state_.stage == first && !state_.cursor.begun);
+  if (first == Stage::finished || untouched) {
+    state_.settings = settings;
+    if (first != Stage::finished) {
+      history_.changeSettings(settings);
+      history_.forgetAfter(state_.tick);
+      std::erase_if(checkpoints_, [first](const Checkpoint& c) {
+        return c.state->stage > first || (c.state->stage == first && c.state->cursor.begun);
+      });
+      cutRun();
+    }
+    if (!backup_ && goal_.kind == Goal::Kind::none) publishState();
+    return;
+  }
+  keepBackup();
+  const MeshState& before = *backup_->at.state;
+  const bool toEnd = before.stage == Stage::finished || goal_.kind == Goal::Kind::end;
+  const std::uint64_t tick = before.tick;
+  if (first == Stage::constraints) {
+    if (!startOver(state_.domain, settings)) return;
+  } else {
+    const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(), [first](const Checkpoint& c) {
+      return c.state->stage < first || (c.state->stage == first && !c.state->cursor.begun);
+    });
+    const Checkpoint start = *last;  // there is always one: the first stage's
+    state_.settings = settings;
+    setAsideHistory(start.state->tick);
+    history_.changeSettings(settings);
+    returnTo(*start.state, start.events);
+    last_ = start.last;
+    std::erase_if(checkpoints_, [&start](const Checkpoint& c) { return c.state->tick > start.state->tick; });
+    cutRun();
+  }
+  head({.kind = toEnd ? Goal::Kind::end : Goal::Kind::tick, .tick = tick}, Activity::meshing);
+}
+
+void SessionWorker::seek(std::uint64_t tick) {
+  if (backup_) cancel();
+  // At least one decision is made again, so that the last event is known.
+  const Keyframe& start = history_.before(tick == 0 ? 0 : tick - 1);
+  if (state_.tick > tick || start.state.tick > state_.tick) returnTo(start.state, start.events);
+  head({.kind = Goal::Kind::tick, .tick = tick}, Activity::stepping);
+}
+
+void SessionWorker::seekEntry(const StageEntry& entry) {
+  if (backup_) cancel();
+  const Keyframe& start = history_.before(entry.tick);
+  if (recorded_ > entry.event || start.state.tick > state_.tick) returnTo(start.state, start.events);
+  head({.kind = Goal::Kind::entry, .stage = entry.stage, .round = entry.round, .tick = entry.tick}, Activity::stepping);
+}
+
+void SessionWorker::seekEvent(std::uint64_t index) {
+  seek(recorder_.tickOfEvent(index).value_or(kUnknown));  // beyond the last decision: the end
+}
+
+void SessionWorker::stepBack(Grain grain) {
+  if (backup_) cancel();
+  const std::uint64_t now = state_.tick;
+  if (grain == Grain::decision) return seek(now == 0 ? 0 : now - 1);
+  if (grain == Grain::insertion) return seek(recorder_.insertionBefore(now));
+  const StageEntry* const entry = now == 0 ? nullptr : entryAt(recorder_.record(), now - 1);
+  if (entry == nullptr || entry->tick == 0) return seek(0);
+  seekEntry(StageEntry(*entry));
+}
+
+void SessionWorker::goTo(Stage stage) {
+  if (backup_) cancel();
+  if (const StageEntry* const entry = firstEntry(recorder_.record(), stage)) return seekEntry(StageEntry(*entry));
+  const Keyframe& start = history_.before(kUnknown);
+  if (start.state.tick > state_.tick) returnTo(start.state, start.events);
+  head({.kind = Goal::Kind::entry, .stage = stage, .tick = kUnknown}, Activity::stepping);
+}
+
+void SessionWorker::setBreakpoints(std::vector<Breakpoint> list) {
+  watch_.reset();
+  breakpoints_ = std::move(list);
+  std::erase_if(hits_, [this](const PassedHit& hit) {
+    return std::none_of(breakpoints_.begin(), breakpoints_.end(),
+                        [&hit](const Breakpoint& b) { return b.condition.text() == hit.condition; });
+  });
+  hitsChanged_ = true;
+  if (goal_.kind == Goal::Kind::breakpoint) watch_.emplace(state_, breakpoints_);
+  if (loaded_ && !backup_ && goal_.kind == Goal::Kind::none) publishState();
+}
+
+void SessionWorker::goOn(bool backwards) {
+  if (backup_) cancel();
+  stopped_ = false;
+  if (backwards) return goBackToBreakpoint();
+  const bool any = std::any_of(breakpoints_.begin(), breakpoints_.end(), [](const Breakpoint& b) { return b.enabled; });
+  if (!any) return head({.kind = Goal::Kind::end}, Activity::stepping);
+  head({.kind = Goal::Kind::breakpoint}, Activity::stepping);
+  watch_.emplace(state_, breakpoints_);
+}
+
+void SessionWorker::goBackToBreakpoint() {
+  head({}, Activity::stepping);
+  const std::optional<Hit> hit = continueBackward(history_, state_.tick, breakpoints_, interrupt_);
+  if (hit) {
+    takeHit(*hit, breakpoints_);
+    return seek(hit->tick);
+  }
+  notice_ = interrupt_ ? "The search was stopped." : "No breakpoint is met before this decision.";
+  halt();
+}
+
+void SessionWorker::findViolation() {
+  if (backup_) cancel();
+  head({}, Activity::stepping);
+  const std::vector<Breakpoint> rules = violationBreakpoints();
+  MeshState probe = history_.before(0).state;
+  probe.settings = state_.settings;
+  std::vector<Hit> passed;
+  const std::optional<Hit> hit = continueForward(probe, rules, passed, interrupt_);
+  if (hit) {
+    takeHit(*hit, rules);
+    notice_ = fmt::format("Decision {} is the first that breaks a rule: {}", hit->tick,
+                          rules[hit->breakpoint].condition.text());
+    return seek(hit->tick);
+  }
+  notice_ = interrupt_ ? "The search was stopped." : "No decision of the whole run breaks a bound or a validity rule.";
+  halt();
+}
+
+void SessionWorker::cancel() {
+  if (!backup_) return halt();
+  rejoinHistory();
+  Backup backup = std::move(*backup_);
+  backup_.reset();
+  if (backup.whole) history_ = std::move(*backup.whole);
+  state_ = *backup.at.state;
+  recorded_ = backup.at.events;
+  known_ = backup.known;
+  kept_ = backup.kept;
+  fresh_.clear();
+  last_ = backup.at.last;
+  checkpoints_ = std::move(backup.checkpoints);
+  recorder_ = std::move(backup.recorder);
+  hits_ = std::move(backup.hits);
+  goal_ = {};
+  watch_.reset();
+  progress_.activity = Activity::idle;
+  publishProgress();
+}
+
+void SessionWorker::head(Goal goal, Activity activity) {
+  watch_.reset();
+  goal_ = goal;
+  progress_.activity = activity;
+  owed_ = goal.kind == Goal::Kind::play ? 1.0 : 0.0;  // the first decision at once
+  goalSince_ = lastSlice_ = Clock::now();
+  lastPublished_ = goalSince_;
+  publishProgress();
+}
+
+void SessionWorker::headFor(Grain grain) {
+  if (backup_) cancel();
+  Goal goal{.stage = state_.stage, .round = state_.round, .vertices = state_.mesh.points.size()};
+  switch (grain) {
+    case Grain::decision:
+      goal.kind = Goal::Kind::tick;
+      goal.tick = state_.tick + 1;
+      break;
+    case Grain::insertion:
+      goal.kind = Goal::Kind::insertion;
+      break;
+    case Grain::stage:
+      goal.kind = Goal::Kind::stage;
+      break;
+    case Grain::round:
+      goal.kind = Goal::Kind::round;
+      break;
+    case Grain::all:
+      goal.kind = Goal::Kind::end;
+      break;
+  }
+  head(goal, Activity::stepping);
+}
+
+void SessionWorker::halt() {
+  goal_ = {};
+  watch_.reset();
+  backup_.reset();
+  progress_.activity = Activity::idle;
+  publishState();
+}
+
+void SessionWorker::fail(Error error) {
+  error_ = std::move(error);
+  ++failures_;
+  publishProgress();
+}
+
+}  // namespace triscope
