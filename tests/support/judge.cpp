@@ -7,10 +7,12 @@
 #include <limits>
 #include <map>
 
+#include "core/density/boundary_tree.h"
 #include "core/io/against_domain.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/validate.h"
 #include "core/quality/quality.h"
+#include "support/segment.h"
 
 namespace triscope::support {
 namespace {
@@ -36,6 +38,8 @@ long double cross(Point about, Point a, Point b) {
 bool ofLines(const Domain& domain) {
   return std::ranges::all_of(domain.curves, [](const Curve& c) { return c.kind == CurveKind::line; });
 }
+
+bool touch(const Curve& l, const Curve& r) { return l.a == r.b || l.b == r.a || l.a == r.a || l.b == r.b; }
 
 std::vector<std::uint8_t> chains(const Domain& domain) {
   std::vector<std::uint8_t> chain(domain.curves.size(), 0);
@@ -128,7 +132,7 @@ void expectFollowsDomain(const MeshState& state, double areaTolerance) {
 
 void expectNoShortEdge(const MeshState& state) {
   if (state.minEdgeDerived) return;
-  const double floor = std::min(state.minEdge, shortestKeptEdge(*state.domain));
+  const double floor = std::min(state.minEdge, shortestUnavoidableEdge(*state.domain));
   EXPECT_GE(measure(state.mesh).minEdge, floor * (1.0 - 1e-9));
 }
 
@@ -154,10 +158,23 @@ long double areaOf(const Domain& domain) {
   return sum.value + sum.lost;
 }
 
-double shortestKeptEdge(const Domain& domain) {
+double shortestUnavoidableEdge(const Domain& domain) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Curve& curve : domain.curves) {
     if (curve.kind == CurveKind::line) shortest = std::min(shortest, distance(curve.a, curve.b));
+  }
+  for (const Loop& loop : domain.loops) {
+    if (loop.role == LoopRole::chain || loop.curveCount > 1) continue;
+    // The chord of a sixth of a circle is 3/π of its arc.
+    shortest = std::min(shortest, 0.95 / 6.0 * lengthBetween(domain.curves[loop.firstCurve], 0.0, 1.0));
+  }
+  const std::vector<BoundaryPiece> pieces = boundaryTreeOf(domain, 0.1).pieces;
+  for (const BoundaryPiece& piece : pieces) {
+    for (const BoundaryPiece& other : pieces) {
+      if (!touch(domain.curves[piece.curve], domain.curves[other.curve])) {
+        shortest = std::min(shortest, distanceToSegment(piece.a, other.a, other.b));
+      }
+    }
   }
   return shortest;
 }

@@ -17,14 +17,15 @@ void expectValid(const Mesh& mesh);
 /// the larger part of it given.
 void expectFollowsDomain(const MeshState& state, double areaTolerance = 1e-12);
 
-/// No edge is shorter than a Δx that was given, or than the shortest kept input edge where that is shorter still.
+/// No edge is shorter than a Δx that was given, unless the domain itself asks for shorter ones.
 void expectNoShortEdge(const MeshState& state);
 
 /// Area of the mesh, and of the domain when its curves are lines, in extended precision about the domain's corner.
 long double areaOf(const MeshState& state);
 long double areaOf(const Domain& domain);
 
-/// Shortest straight piece between two kept points; infinite when every curve is bent.
-double shortestKeptEdge(const Domain& domain);
+/// Shortest edge that the domain itself may ask for: a straight piece between two kept points, one of the six edges
+/// that a smooth closed curve has at least, or one across the narrowest place between two curves that do not touch.
+double shortestUnavoidableEdge(const Domain& domain);
 
 }  // namespace triscope::support

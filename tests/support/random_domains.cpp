@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/geometry/trig.h"
+#include "support/segment.h"
 
 namespace triscope::support {
 namespace {
@@ -44,11 +45,6 @@ double sharpest(const std::vector<Point>& polygon) {
     least = std::min(least, std::fabs(trig::angleBetween(after, before)) / trig::kDegree);
   }
   return least;
-}
-
-double distanceToSegment(Point p, Point a, Point b) {
-  const double along = std::clamp(dot(p - a, b - a) / squaredDistance(a, b), 0.0, 1.0);
-  return distance(p, a + along * (b - a));
 }
 
 std::vector<Point> star(Random& random) {
