@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/density/quadtree.h"
+#include "render/number.h"
 #include "render/picture.h"
 #include "ui/imgui_canvas.h"
 #include "ui/panels.h"
@@ -130,8 +131,8 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
                                       ImGuiWindowFlags_NoNav;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, view.px(8));
   if (ImGui::Begin("##progress", nullptr, kFlags)) {
-    const std::string text = fmt::format("{}: {} triangles{}", infoOf(p.stage).name, p.triangles,
-                                         p.estimated > 0.0 ? fmt::format(" of about {:.0f}", p.estimated) : "");
+    std::string text = fmt::format("{}: {} triangles", infoOf(p.stage).name, grouped(p.triangles));
+    if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(p.estimated + 0.5));
     ImGui::TextUnformatted(text.c_str());
     ImGui::ProgressBar(static_cast<float>(p.fraction), {-view.px(90), 0.0f});
     ImGui::SameLine();

@@ -64,6 +64,19 @@ void keyTable(const View& view, Menu menu) {
   ImGui::PopID();
 }
 
+void mouseTable(const View& view) {
+  heading(view, "Mouse");
+  if (!ImGui::BeginTable("mouse", 2, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const MouseHint& hint : kMouse) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", hint.gesture);
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(hint.what);
+  }
+  ImGui::EndTable();
+}
+
 }  // namespace
 
 void drawErrorDialog(const View& view, Orders& orders) {
@@ -84,27 +97,21 @@ void drawErrorDialog(const View& view, Orders& orders) {
 
 void drawHelpDialog(const View& view, Orders& orders) {
   if (!beginDialog(view, "Keys and mouse", 900)) return;
-  const float height = std::min(view.px(560), ImGui::GetIO().DisplaySize.y - view.px(140));
-  if (ImGui::BeginChild("help", {0.0f, height}) && ImGui::BeginTable("columns", 2)) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    keyTable(view, Menu::run);
-    keyTable(view, Menu::file);
-    ImGui::TableNextColumn();
-    keyTable(view, Menu::view);
-    keyTable(view, Menu::help);
-    heading(view, "Mouse");
-    if (ImGui::BeginTable("mouse", 2, ImGuiTableFlags_SizingFixedFit)) {
-      for (const MouseHint& hint : kMouse) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", hint.gesture);
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(hint.what);
-      }
+  const float height = std::min(view.px(590), ImGui::GetIO().DisplaySize.y - view.px(140));
+  if (ImGui::BeginChild("help", {0.0f, height})) {
+    const bool wide = ImGui::GetContentRegionAvail().x >= view.px(800);
+    if (ImGui::BeginTable("columns", wide ? 2 : 1)) {
+      ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {view.px(6), view.px(1)});
+      ImGui::TableNextColumn();
+      keyTable(view, Menu::run);
+      keyTable(view, Menu::file);
+      ImGui::TableNextColumn();
+      keyTable(view, Menu::view);
+      keyTable(view, Menu::help);
+      mouseTable(view);
+      ImGui::PopStyleVar();
       ImGui::EndTable();
     }
-    ImGui::EndTable();
   }
   ImGui::EndChild();
   closeButton(view, orders, "Close");

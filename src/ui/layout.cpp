@@ -61,7 +61,7 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   const float bottom = window.y - px(kStatus);
   const float height = std::max(1.0f, bottom - y);
   const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
-  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 5.0);
+  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 6.0);
   const float caption = std::min(px(kCaptionRest + lines * kCaptionLine), 0.5f * height);
   const float x = left + splitter;
   const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.5f * height;

@@ -2,6 +2,7 @@
 
 import os
 import tempfile
+import time
 import unittest
 
 import harness
@@ -63,6 +64,20 @@ class Look(harness.WindowTest):
             state = self.window.wait(lambda s: s["caption"] != caption, "another caption")
             self.assertRegex(state["caption"], r"^Step 1 put vertex \d+ at the circumcentre of triangle \d+: .* R = ")
             self.assertNotEqual(self.window.image().colors(left, top, width, height), before)
+
+
+class Idle(harness.WindowTest):
+    def test_nothing_is_drawn_while_nothing_happens(self):
+        def ticks():
+            with open(f"/proc/{self.window.process.pid}/stat", encoding="utf-8") as file:
+                fields = file.read().rsplit(")", 1)[1].split()
+            return int(fields[11]) + int(fields[12])
+
+        self.window.settled()
+        time.sleep(1)
+        before = ticks()
+        time.sleep(3)
+        self.assertLessEqual(ticks() - before, 0.02 * 3 * os.sysconf("SC_CLK_TCK"))
 
 
 class Parameters(harness.WindowTest):
