@@ -52,13 +52,13 @@ TEST(PaperFigures, BluntBodyIsAtLeastAsGood) {
   EXPECT_NEAR(static_cast<double>(q.boundaryVertices), 125.0, 15.0);
 }
 
-// The counterpart of the paper's second example: 4.23 / 2.93 / 1.99 over 33,040 triangles without step 6.
+// The counterpart of the paper's second example: 4.19 / 2.88 / 1.94 over 33,040 triangles, 5.5 % of them obtuse.
 TEST(PaperFigures, ThreeElementAirfoilIsAtLeastAsGood) {
   const MeshState state = support::finished(support::domainAt(support::samples() / "three_element_airfoil.json"));
   const Quality q = measure(state.mesh);
   EXPECT_LT(q.aspectMax, 4.19);
   EXPECT_LT(q.areaRatioMax, 2.88);
-  EXPECT_LT(q.edgeRatioMax, 1.99);
+  EXPECT_LT(q.edgeRatioMax, 1.94);
   const auto count = static_cast<double>(q.triangles);
   EXPECT_NEAR(count, 30000.0, 5000.0);
   EXPECT_LE(std::fabs(state.estimatedTriangles - count), 0.15 * count) << state.estimatedTriangles << " for " << count;

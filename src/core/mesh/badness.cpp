@@ -61,6 +61,7 @@ Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
     const Measures m = measuresOf(mesh, slot);
     badness.shortest = std::min(badness.shortest, m.shortest);
     badness.worst = std::max(badness.worst, aspect(m));
+    badness.edgeRatio = std::max(badness.edgeRatio, m.longest / m.shortest);
     if (m.longest > m.shortest + m.middle) ++badness.obtuse;
     const double radius = radiusOverEdge(m);
     if (radius >= 1.0 - kBoundMargin) {

@@ -16,6 +16,7 @@ struct Badness {
   double excess = 0.0;      // sum over the broken of how far they are beyond the bound
   double worst = 2.0;       // largest aspect ratio R/r
   double areaRatio = 1.0;   // largest, over pairs
+  double edgeRatio = 1.0;   // largest, squared
   double shortest = 1e300;  // shortest edge, squared
 };
 

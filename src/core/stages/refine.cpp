@@ -15,9 +15,10 @@ namespace {
 
 enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
 
-constexpr double kLargeAreaRatio = 2.0;  // pairs beyond it get their shared edge moved
-constexpr double kLargeAspect = 3.0;     // a shared edge may be moved as long as no aspect ratio grows beyond it
-constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
+constexpr double kLargeAreaRatio = 2.0;    // pairs beyond it get their shared edge moved
+constexpr double kLargeAspect = 3.0;       // a shared edge may be moved as long as no aspect ratio grows beyond it
+constexpr double kLargeEdgeRatio = 1.935;  // the paper ends at 1.94: no move goes beyond, or beyond what was
+constexpr double kSharedEdgeStep = 0.1;    // of the height h of the larger triangle
 // Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
 constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
 constexpr std::uint8_t kUnchanged = 128;  // since this pass began
@@ -38,6 +39,7 @@ Refusal judge(Rule rule, const Badness& was, const Badness& is, double minEdge) 
   if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
   if (is.obtuse > was.obtuse) return Refusal::star_worse;
   if (is.areaRatio > std::max(was.areaRatio, kLargeAreaRatio)) return Refusal::star_worse;
+  if (is.edgeRatio > std::max(was.edgeRatio, kLargeEdgeRatio * kLargeEdgeRatio)) return Refusal::star_worse;
   if (is.obtuse < was.obtuse) return Refusal::none;
   const bool worse = rule == Rule::shared_edge
                          ? is.areaRatio >= was.areaRatio || is.worst > std::max(was.worst, kLargeAspect)
