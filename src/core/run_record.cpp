@@ -24,18 +24,14 @@ const QualitySample* sampleAt(const RunRecord& record, std::uint64_t tick) {
 
 void RunRecorder::forgetAfter(std::uint64_t tick, std::uint64_t events) {
   std::erase_if(record_.stages, [events](const StageEntry& e) { return e.event >= events; });
-  std::erase_if(record_.samples, [tick](const QualitySample& s) { return s.tick > tick; });
   while (!insertions_.empty() && insertions_.back() > tick) insertions_.pop_back();
   if (eventsAfter_.size() > tick) eventsAfter_.resize(static_cast<std::size_t>(tick));
   record_.ticks = std::min(record_.ticks, tick);
   record_.complete = false;
   events_ = std::min(events_, events);
-  following_ = false;
-  changed_.clear();
 }
 
-/// True when the decision was not known yet.
-bool RunRecorder::note(const MeshState& state, const Beat& beat) {
+void RunRecorder::follow(const MeshState& state, const Beat& beat) {
   if (state.stage == Stage::finished || state.failed) record_.complete = true;
   const std::uint64_t first = beat.events - beat.made.size();
   for (std::size_t k = 0; k < beat.made.size(); ++k) {
@@ -44,52 +40,10 @@ bool RunRecorder::note(const MeshState& state, const Beat& beat) {
       record_.stages.push_back({event.stage, event.round, beat.tickBefore, first + k});
   }
   events_ = std::max(events_, beat.events);
-  if (state.tick <= record_.ticks) return false;
+  if (state.tick <= record_.ticks) return;
   if (state.mesh.points.size() > beat.pointsBefore) insertions_.push_back(static_cast<std::uint32_t>(state.tick));
   eventsAfter_.push_back(static_cast<std::uint32_t>(beat.events));
   record_.ticks = state.tick;
-  return true;
-}
-
-void RunRecorder::sample(const MeshState& state, const RunningQuality& quality) {
-  QualitySample sample{
-      state.tick, static_cast<std::uint32_t>(quality.triangles()), static_cast<std::uint32_t>(quality.obtuse()), {}};
-  for (int m = 0; m < kMeasureCount; ++m)
-    sample.worst[static_cast<std::size_t>(m)] = static_cast<float>(quality.worst(static_cast<Measure>(m)));
-  std::vector<QualitySample>& samples = record_.samples;
-  samples.push_back(sample);
-  if (samples.size() < kMostSamples) return;
-  // Every second one goes; the last stays.
-  std::size_t kept = 0;
-  for (std::size_t k = 1; k < samples.size(); k += 2) samples[kept++] = samples[k];
-  samples.resize(kept);
-  stride_ *= 2;
-}
-
-bool RunRecorder::due(const MeshState& state) const {
-  const std::uint64_t last = record_.samples.empty() ? 0 : record_.samples.back().tick;
-  return state.tick >= last + stride_ || (record_.complete && state.tick > last);
-}
-
-void RunRecorder::follow(const MeshState& state, const Beat& beat, const ChangeLog& changes) {
-  const bool fresh = note(state, beat);
-  if (!fresh && !(following_ && record_.complete && state.tick == record_.ticks)) return;
-  if (!following_) {
-    quality_.reset(state.mesh);
-    following_ = true;
-  } else if (fresh) {
-    changed_.insert(changed_.end(), changes.slots.begin(), changes.slots.end());
-  }
-  if (!due(state)) return;
-  quality_.update(state.mesh, changed_);
-  changed_.clear();
-  sample(state, quality_);
-}
-
-void RunRecorder::follow(const MeshState& state, const Beat& beat, const RunningQuality& quality) {
-  if (!note(state, beat)) return;
-  following_ = false;
-  if (due(state)) sample(state, quality);
 }
 
 std::uint64_t RunRecorder::insertionBefore(std::uint64_t tick) const {

@@ -1,5 +1,5 @@
 // What is known of a run as a whole, however far back the viewer stands: where its stages begin, where points were
-// inserted, and the worst measures along it. Fed by whoever carries the run on for the first time.
+// inserted, and the worst measures along it. Fed by whoever carries the run on; quality_trace.h adds the measures.
 #pragma once
 
 #include <array>
@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/event.h"
-#include "core/mesh/change_log.h"
 #include "core/quality/running_quality.h"
 #include "core/state.h"
 
@@ -42,7 +41,7 @@ struct RunRecord {
   std::uint64_t ticks = 0;  // decisions known
   bool complete = false;    // the run is over after them
   std::vector<StageEntry> stages;
-  std::vector<QualitySample> samples;  // by tick, at most kMostSamples
+  std::vector<QualitySample> samples;  // by tick; they may lag behind
 };
 
 /// The last entry whose stage begins at or before a tick; nothing for an empty record.
@@ -54,16 +53,12 @@ const QualitySample* sampleAt(const RunRecord& record, std::uint64_t tick);
 
 class RunRecorder {
  public:
-  static constexpr std::size_t kMostSamples = 4096;
-
   void restart() { *this = {}; }
   /// What comes after so many decisions and events will be another run.
   void forgetAfter(std::uint64_t tick, std::uint64_t events);
 
-  /// To be told of every beat, with the state it led to and the slots it changed. What is known already is passed by.
-  void follow(const MeshState& state, const Beat& beat, const ChangeLog& changes);
-  /// The same where somebody else measures: `quality` is up to date with `state`.
-  void follow(const MeshState& state, const Beat& beat, const RunningQuality& quality);
+  /// To be told of every beat, with the state it led to. What is known already is passed by.
+  void follow(const MeshState& state, const Beat& beat);
 
   [[nodiscard]] const RunRecord& record() const { return record_; }
   /// Decisions made right after the last insertion before this tick, 0 when there is none.
@@ -72,18 +67,10 @@ class RunRecorder {
   [[nodiscard]] std::optional<std::uint64_t> tickOfEvent(std::uint64_t index) const;
 
  private:
-  bool note(const MeshState& state, const Beat& beat);
-  [[nodiscard]] bool due(const MeshState& state) const;
-  void sample(const MeshState& state, const RunningQuality& quality);
-
   RunRecord record_;
   std::vector<std::uint32_t> insertions_;   // ticks right after one, ascending
   std::vector<std::uint32_t> eventsAfter_;  // [k]: events once decision k + 1 is made
   std::uint64_t events_ = 0;                // known
-  std::uint64_t stride_ = 8;                // decisions between samples
-  RunningQuality quality_;
-  std::vector<std::int32_t> changed_;  // slots that quality_ has not seen yet
-  bool following_ = false;             // quality_ and changed_ belong to the state at `ticks`
 };
 
 }  // namespace triscope

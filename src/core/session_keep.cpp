@@ -48,6 +48,7 @@ void SessionWorker::cutRun() {
   kept_ = std::min(kept_, known_);
   fresh_.resize(std::min<std::size_t>(fresh_.size(), static_cast<std::size_t>(known_ - kept_)));
   recorder_.forgetAfter(state_.tick, recorded_);
+  trace_.forgetAfter(state_.tick);
   std::erase_if(hits_, [this](const PassedHit& hit) { return hit.tick > state_.tick; });
   recordChanged_ = hitsChanged_ = true;
 }
@@ -89,6 +90,7 @@ void SessionWorker::keepBackup() {
   backup_->at = {std::make_shared<const MeshState>(state_), recorded_, last_, 0};
   backup_->checkpoints = checkpoints_;
   backup_->recorder = recorder_;
+  backup_->trace = trace_;
   backup_->hits = hits_;
   backup_->known = known_;
   backup_->kept = kept_;

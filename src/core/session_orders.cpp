@@ -167,18 +167,19 @@ void SessionWorker::goOn(bool backwards) {
 }
 
 void SessionWorker::goBackToBreakpoint() {
+  if (goal_.kind != Goal::Kind::none) publishState();
   head({}, Activity::stepping);
   const std::optional<Hit> hit = continueBackward(history_, state_.tick, breakpoints_, interrupt_);
   if (hit) {
     takeHit(*hit, breakpoints_);
     return seek(hit->tick);
   }
-  notice_ = interrupt_ ? "The search was stopped." : "No breakpoint is met before this decision.";
-  halt();
+  rest(interrupt_ ? "The search was stopped." : "No breakpoint is met before this decision.");
 }
 
 void SessionWorker::findViolation() {
   if (backup_) cancel();
+  if (goal_.kind != Goal::Kind::none) publishState();
   head({}, Activity::stepping);
   const std::vector<Breakpoint> rules = violationBreakpoints();
   MeshState probe = history_.before(0).state;
@@ -191,8 +192,7 @@ void SessionWorker::findViolation() {
                           rules[hit->breakpoint].condition.text());
     return seek(hit->tick);
   }
-  notice_ = interrupt_ ? "The search was stopped." : "No decision of the whole run breaks a bound or a validity rule.";
-  halt();
+  rest(interrupt_ ? "The search was stopped." : "No decision of the whole run breaks a bound or a validity rule.");
 }
 
 void SessionWorker::cancel() {
@@ -209,6 +209,7 @@ void SessionWorker::cancel() {
   last_ = backup.at.last;
   checkpoints_ = std::move(backup.checkpoints);
   recorder_ = std::move(backup.recorder);
+  trace_ = std::move(backup.trace);
   hits_ = std::move(backup.hits);
   goal_ = {};
   watch_.reset();
@@ -256,6 +257,12 @@ void SessionWorker::halt() {
   backup_.reset();
   progress_.activity = Activity::idle;
   publishState();
+}
+
+void SessionWorker::rest(std::string notice) {
+  notice_ = std::move(notice);
+  progress_.activity = Activity::idle;
+  publishProgress();
 }
 
 void SessionWorker::fail(Error error) {

@@ -77,6 +77,12 @@ void SessionWorker::loop() {
     if (goal_.kind == Goal::Kind::none) {
       idle_ = true;
       becameIdle_.notify_all();
+      if (traceLags()) {
+        lock.unlock();
+        carryTrace();
+        lock.lock();
+        continue;
+      }
       inboxChanged_.wait(lock, [this] { return quit_ || !inbox_.empty(); });
       continue;
     }
@@ -130,16 +136,14 @@ void SessionWorker::slice() {
 }
 
 void SessionWorker::carry(std::uint64_t beats) {
-  ChangeLog changes;
   Journal journal{&beat_};
   for (; beats > 0 && !over(); --beats) {
     beat_.clear();
-    changes.slots.clear();
     const Stage stage = state_.stage;
     const std::uint64_t tick = state_.tick;
     const std::size_t points = state_.mesh.points.size();
     advanceUntil(state_, stage, 1, journal);
-    recorder_.follow(state_, recordBeat(tick, points), changes);
+    recorder_.follow(state_, recordBeat(tick, points));
     if (state_.tick != tick) history_.offer(state_, recorded_);
     if (state_.stage != stage) rememberStage();
     if (reached()) return;
@@ -153,7 +157,7 @@ void SessionWorker::carryWatching(Clock::time_point end) {
     const std::size_t points = state_.mesh.points.size();
     const bool more = watch_->step(hits);
     beat_ = watch_->events();
-    recorder_.follow(state_, recordBeat(tick, points), watch_->quality());
+    recorder_.follow(state_, recordBeat(tick, points));
     if (state_.tick != tick) history_.offer(state_, recorded_);
     for (const Hit& hit : hits) takeHit(hit, breakpoints_);
     hits.clear();
@@ -216,6 +220,29 @@ bool SessionWorker::reached() const {
   return true;
 }
 
+bool SessionWorker::traceLags() const {
+  const std::vector<QualitySample>& samples = trace_.samples();
+  return loaded_ && (samples.empty() ? 0 : samples.back().tick) < recorder_.record().ticks;
+}
+
+void SessionWorker::carryTrace() {
+  const bool more = trace_.carryOn(history_, recorder_.record().ticks, kSlice);
+  const auto now = Clock::now();
+  if (more && now - lastTrace_ < kLongStep) return;
+  lastTrace_ = now;
+  {
+    const std::lock_guard lock(mutex_);
+    outbox().record = record();
+  }
+  if (wake_) wake_();
+}
+
+std::shared_ptr<const RunRecord> SessionWorker::record() const {
+  auto record = std::make_shared<RunRecord>(recorder_.record());
+  record->samples = trace_.samples();
+  return record;
+}
+
 Publication& SessionWorker::outbox() {
   if (!outbox_) outbox_.emplace();
   Publication& news = *outbox_;
@@ -252,9 +279,9 @@ void SessionWorker::publishState() {
   snapshot->quality = measure(state_.mesh);
   snapshot->last = last_;
   snapshot->events = recorded_;
-  std::shared_ptr<const RunRecord> record;
+  std::shared_ptr<const RunRecord> fresh;
   std::shared_ptr<const std::vector<PassedHit>> hits;
-  if (std::exchange(recordChanged_, false)) record = std::make_shared<const RunRecord>(recorder_.record());
+  if (std::exchange(recordChanged_, false)) fresh = record();
   if (std::exchange(hitsChanged_, false)) hits = std::make_shared<const std::vector<PassedHit>>(hits_);
   {
     const std::lock_guard lock(mutex_);
@@ -268,7 +295,7 @@ void SessionWorker::publishState() {
       news.freshEvents = fresh_;
     }
     news.snapshot = std::move(snapshot);
-    if (record) news.record = std::move(record);
+    if (fresh) news.record = std::move(fresh);
     if (hits) news.hits = std::move(hits);
   }
   kept_ += std::exchange(fresh_, {}).size();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/history/history.h"
+#include "core/quality_trace.h"
 #include "core/session.h"
 
 namespace triscope {
@@ -83,6 +84,7 @@ class SessionWorker {
     Checkpoint at;
     std::vector<Checkpoint> checkpoints;
     RunRecorder recorder;
+    QualityTrace trace;
     std::vector<PassedHit> hits;
     std::uint64_t known = 0;
     std::uint64_t kept = 0;
@@ -109,6 +111,7 @@ class SessionWorker {
   void head(Goal goal, Activity activity);
   void headFor(Grain grain);
   void halt();
+  void rest(std::string notice);  // where the run is, after a search that led nowhere
   void fail(Error error);
 
   void slice();
@@ -128,6 +131,9 @@ class SessionWorker {
   void rememberStage();
   void keepBackup();
 
+  [[nodiscard]] bool traceLags() const;
+  void carryTrace();
+  [[nodiscard]] std::shared_ptr<const RunRecord> record() const;
   void publishState();
   void publishProgress();
   Publication& outbox();
@@ -157,6 +163,7 @@ class SessionWorker {
   std::optional<Backup> backup_;         // while a re-mesh is under way
   History history_{kHistoryBytes};
   RunRecorder recorder_;
+  QualityTrace trace_;
   std::vector<Breakpoint> breakpoints_;
   std::optional<Watch> watch_;  // while the goal is a breakpoint
   std::vector<PassedHit> hits_;
@@ -175,6 +182,7 @@ class SessionWorker {
   Clock::time_point goalSince_{};
   Clock::time_point lastSlice_{};
   Clock::time_point lastPublished_{};
+  Clock::time_point lastTrace_{};
   Clock::duration publishCost_{};
 
   std::thread thread_;  // last: starts when everything above is ready

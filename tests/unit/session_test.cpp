@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 
+#include "core/caption.h"
 #include "core/domain/read.h"
 #include "core/pipeline.h"
+#include "core/quality_trace.h"
 
 namespace triscope {
 namespace {
@@ -203,6 +206,113 @@ TEST(Session, CommandsBeforeAnythingIsOpenDoNothing) {
   session.apply(command::Restart{});
   EXPECT_TRUE(session.settle(kForever));
   EXPECT_EQ(session.current(), nullptr);
+}
+
+/// Waits until the measures along the run are there too.
+const RunRecord& measured(Session& session) {
+  while (session.record().samples.empty() || session.record().samples.back().tick < session.record().ticks)
+    session.settle(std::chrono::milliseconds(5));
+  return session.record();
+}
+
+TEST(Session, GoingBackForgetsNothingOfTheRun) {
+  Session session;
+  const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
+  const std::vector<Event> events(session.runEvents().begin(), session.runEvents().end());
+  EXPECT_EQ(session.record().ticks, end);
+  EXPECT_TRUE(session.record().complete);
+  doNow(session, command::Restart{});
+  EXPECT_TRUE(session.events().empty());
+  EXPECT_EQ(session.runEvents().size(), events.size());
+  EXPECT_EQ(session.record().ticks, end);
+  for (const std::uint64_t tick : {end / 2, end / 3, end - 1, end}) {
+    const Snapshot& now = doNow(session, command::Seek{tick});
+    ASSERT_EQ(now.state.tick, tick);
+    ASSERT_TRUE(now.last.has_value());
+    EXPECT_EQ(captionOf(*now.last), captionOf(events[static_cast<std::size_t>(now.events) - 1]));
+  }
+  EXPECT_EQ(session.runEvents().size(), events.size());
+}
+
+TEST(Session, RecordsWhereStagesBeginAndTheWorstMeasures) {
+  Session session;
+  const Quality end = doNow(session, command::OpenDomain{square(0.5)}).quality;
+  const RunRecord& record = measured(session);
+  ASSERT_FALSE(record.stages.empty());
+  EXPECT_EQ(record.stages.front().stage, Stage::constraints);
+  for (std::size_t k = 1; k < record.stages.size(); ++k) EXPECT_GE(record.stages[k].tick, record.stages[k - 1].tick);
+  EXPECT_LE(record.samples.size(), QualityTrace::kMostSamples);
+  EXPECT_EQ(record.samples.back().triangles, end.triangles);
+  EXPECT_NEAR(static_cast<double>(record.samples.back().worst[0]), end.aspectMax, 1e-5);
+  const QualitySample middle = record.samples[record.samples.size() / 2];
+  const Quality there = doNow(session, command::Seek{middle.tick}).quality;
+  EXPECT_NEAR(static_cast<double>(middle.worst[0]), there.aspectMax, 1e-4 * there.aspectMax);
+}
+
+TEST(Session, SeeksAnEvent) {
+  Session session;
+  doNow(session, command::OpenDomain{square(0.5)});
+  for (std::size_t index = 0; index + 1 < session.runEvents().size(); index += 13) {
+    doNow(session, command::SeekEvent{index});
+    const std::uint64_t after = session.current()->events;
+    ASSERT_GT(after, index);
+    doNow(session, command::StepBack{Grain::decision});
+    ASSERT_LE(session.current()->events, index);
+  }
+}
+
+TEST(Session, ContinuesToABreakpointBothWays) {
+  Session session;
+  const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
+  doNow(session, command::SetBreakpoints{{{*Condition::compile("stage == step1 and inserted")}}});
+  doNow(session, command::Restart{});
+  std::vector<std::uint64_t> forwards;
+  for (doNow(session, command::Continue{}); session.current()->state.tick < end; doNow(session, command::Continue{}))
+    forwards.push_back(session.current()->state.tick);
+  ASSERT_GT(forwards.size(), 3u);
+  EXPECT_EQ(session.hits().size(), forwards.size());
+  EXPECT_FALSE(session.notice().empty());
+  std::vector<std::uint64_t> backwards;
+  for (std::uint64_t before = end; doNow(session, command::Continue{true}).state.tick < before;
+       before = session.current()->state.tick)
+    backwards.push_back(session.current()->state.tick);
+  std::reverse(backwards.begin(), backwards.end());
+  EXPECT_EQ(forwards, backwards);
+}
+
+TEST(Session, MarksWithoutStoppingAndStopsWhenCancelled) {
+  Session session;
+  const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
+  doNow(session,
+        command::SetBreakpoints{{{*Condition::compile("refused"), Breakpoint::Action::mark},
+                                 {*Condition::compile("triangle == 1 and vertex == 1"), Breakpoint::Action::stop}}});
+  doNow(session, command::Restart{});
+  EXPECT_EQ(doNow(session, command::Continue{}).state.tick, end);
+  EXPECT_FALSE(session.hits().empty());
+  session.apply(command::Continue{true});
+  session.apply(command::Cancel{});
+  EXPECT_TRUE(session.settle(kForever));
+  EXPECT_EQ(session.current()->state.tick, end);
+  EXPECT_FALSE(session.busy());
+}
+
+TEST(Session, ACancelledChangeKeepsTheKeyframesOfTheOldRun) {
+  Session session;
+  const std::uint64_t end = doNow(session, command::OpenDomain{square(0.25)}).state.tick;
+  const std::uint64_t there = hashOf(doNow(session, command::Seek{end - 3}).state);
+  doNow(session, command::Seek{end});
+  Settings settings = session.settings();
+  for (const double omega : {0.1, 0.2, 0.3}) {
+    settings.omega = omega;
+    settings.gapFraction = omega;
+    session.apply(command::Change{settings});
+  }
+  session.apply(command::Cancel{});
+  EXPECT_TRUE(session.settle(kForever));
+  if (session.settings() != settings) {  // not yet complete when it was cancelled
+    EXPECT_EQ(hashOf(doNow(session, command::Seek{end - 3}).state), there);
+    EXPECT_EQ(measured(session).ticks, end);
+  }
 }
 
 }  // namespace
