@@ -59,11 +59,11 @@ std::optional<Error> difference(const SessionFile& session, const std::vector<St
 ExitCode runCommand(const ReplayCommand& options) {
   const Result<SessionFile> session = readSession(options.file);
   if (!session.ok()) return fail(session.error());
-  noteChanges(*session, options.quiet);
   Result<Domain> domain = parseDomain(session->domainText, options.file);
   if (!domain.ok()) return fail(domain.error());
   Result<MeshState> start = begin(std::make_shared<const Domain>(std::move(*domain)), session->settings);
   if (!start.ok()) return fail(start.error());
+  noteChanges(*session, options.quiet);
 
   watchForInterrupt();
   ProgressLine progress(!options.quiet);

@@ -1,5 +1,6 @@
 #include "core/debug/breakpoint.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "core/geometry/predicates.h"
@@ -9,7 +10,10 @@
 namespace triscope {
 
 Watch::Watch(MeshState& state, std::span<const Breakpoint> breakpoints)
-    : state_(state), breakpoints_(breakpoints), held_(breakpoints.size(), 0) {
+    : state_(state), breakpoints_(breakpoints), shortest_(state.minEdge), held_(breakpoints.size(), 0) {
+  for (const Curve& curve : state.domain->curves) {
+    if (curve.kind == CurveKind::line) shortest_ = std::min(shortest_, distance(curve.a, curve.b));
+  }
   quality_.reset(state.mesh);
   const Event none;
   const Moment moment{state_, none, quality_, 0, 0};
@@ -22,7 +26,8 @@ Watch::Watch(MeshState& state, std::span<const Breakpoint> breakpoints)
 std::uint8_t Watch::brokenNow() const {
   const Mesh& mesh = state_.mesh;
   std::uint8_t broken = 0;
-  const double shortest = state_.minEdge * state_.minEdge * (1.0 - 1e-9);
+  // Before the carving edges may run outside the domain, across a thin part of it.
+  const double shortest = state_.stage > Stage::carve ? shortest_ * shortest_ * (1.0 - 1e-9) : 0.0;
   for (const std::int32_t slot : changes_.slots) {
     if (!mesh.alive(slot)) continue;
     const Triangle& t = triangleAt(mesh, slot);
@@ -118,7 +123,7 @@ std::vector<Breakpoint> violationBreakpoints() {
       "delaunay_broken",
       "edge_below_minimum",
       "failed",
-      "bound_broken and (stage == refine or event == stage_finished and stage == repair)",
+      "bound_broken and (stage == refine or finished)",
   };
   std::vector<Breakpoint> list;
   for (const std::string_view text : texts) {

@@ -46,6 +46,7 @@ class Watch {
 
   MeshState& state_;
   std::span<const Breakpoint> breakpoints_;
+  double shortest_;  // no edge may be shorter: Δx, or the shortest straight piece of the input
   RunningQuality quality_;
   ChangeLog changes_;
   std::vector<Event> events_;

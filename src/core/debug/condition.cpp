@@ -37,6 +37,7 @@ enum class Field : std::uint8_t {
   removed,
   split,
   failed,
+  finished,
   bound_broken,
   orientation_broken,
   delaunay_broken,
@@ -109,6 +110,8 @@ bool flagOf(Field field, const Moment& m) {
       return kind == EventKind::cell_split || kind == EventKind::edge_split;
     case Field::failed:
       return kind == EventKind::failure;
+    case Field::finished:
+      return m.state.stage == Stage::finished;
     case Field::bound_broken:
       return boundBroken(m.quality);
     case Field::orientation_broken:
@@ -178,6 +181,7 @@ const std::vector<Word>& conditionWords() {
       {"removed", Kind::flag, true, "the decision removed a vertex or a triangle"},
       {"split", Kind::flag, true, "the decision split a cell or a boundary edge"},
       {"failed", Kind::flag, true, "the method could not go on"},
+      {"finished", Kind::flag, false, "the run is over"},
       {"bound_broken", Kind::flag, false, "a bound of the paper's section 3 does not hold"},
       {"orientation_broken", Kind::flag, false, "a triangle that changed is not counter-clockwise"},
       {"delaunay_broken", Kind::flag, false, "an edge of a triangle that changed is not locally Delaunay"},
