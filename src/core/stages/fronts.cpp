@@ -199,7 +199,8 @@ Outcome placeNext(MeshState& state, Journal& journal, Rule rule, VertexKind kind
   const std::size_t k = cursor.index++;
   const Point p = cursor.points[k];
   const std::int32_t owner = cursor.worklist[k];
-  const Demand demand{std::max(kNearest * edgeLengthAt(state.tree, p), state.minEdge), 0.0};
+  const double floor = state.minEdge * (1.0 - 1e-9);  // where all edges are Δx long, points are Δx apart up to rounding
+  const Demand demand{std::max(kNearest * edgeLengthAt(state.tree, p), floor), 0.0};
   const Attempt attempt = place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand);
   if (attempt.vertex >= 0) {
     cursor.next[k] = attempt.vertex;
