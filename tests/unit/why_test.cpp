@@ -10,22 +10,24 @@
 #include <string>
 
 #include "core/debug/life.h"
+#include "core/debug/recording.h"
 #include "core/geometry/circumcircle.h"
+#include "core/stages/insertion_rules.h"
 #include "support/domains.h"
 #include "support/runs.h"
 
 namespace triscope {
 namespace {
 
-struct Recording {
+struct Recorded {
   MeshState end;
   std::vector<Event> events;
   History history;
   std::vector<std::uint64_t> tickAt;  // per event: decisions made once it has happened
 };
 
-Recording record(const support::DomainPtr& domain, std::size_t budget) {
-  Recording run{support::start(domain), {}, History(budget), {}};
+Recorded record(const support::DomainPtr& domain, std::size_t budget) {
+  Recorded run{support::start(domain), {}, History(budget), {}};
   run.history.restart(run.end);
   Journal journal{&run.events};
   for (bool more = true; more;) {
@@ -36,8 +38,8 @@ Recording record(const support::DomainPtr& domain, std::size_t budget) {
   return run;
 }
 
-const Recording& runOf(const std::string& sample) {
-  static std::map<std::string, Recording> runs;
+const Recorded& runOf(const std::string& sample) {
+  static std::map<std::string, Recorded> runs;
   const auto found = runs.find(sample);
   if (found != runs.end()) return found->second;
   return runs.emplace(sample, record(support::domainAt(support::samples() / (sample + ".json")), 1u << 22))
@@ -53,7 +55,7 @@ void expectRuleHolds(const Event& e) {
   EXPECT_GT(e.limit, 0.0);
 }
 
-void expectLinksResolve(const Recording& run, const std::vector<Line>& answer, Ref ref) {
+void expectLinksResolve(const Recorded& run, const std::vector<Line>& answer, Ref ref) {
   std::set<std::string> texts;
   ASSERT_FALSE(answer.empty()) << nameOf(ref);
   for (const Line& line : answer) {
@@ -103,7 +105,7 @@ TEST(Links, ReadWhatTheCommandLineGives) {
 
 TEST(Why, BirthIsFoundLikeByLookingAtEveryEvent) {
   for (const char* const sample : kSamples) {
-    const Recording& run = runOf(sample);
+    const Recorded& run = runOf(sample);
     const auto check = [&](Ref::Kind kind, std::uint32_t count, std::uint32_t first) {
       std::vector<std::optional<std::size_t>> byBrute(count);
       for (std::size_t k = 0; k < run.events.size(); ++k) {
@@ -128,7 +130,7 @@ TEST(Why, BirthIsFoundLikeByLookingAtEveryEvent) {
 
 TEST(Why, EveryVertexIsExplainedByARuleThatItsValuesSatisfy) {
   for (const char* const sample : kSamples) {
-    const Recording& run = runOf(sample);
+    const Recorded& run = runOf(sample);
     std::size_t bySteps = 0;
     for (std::uint32_t v = 4; v < run.end.mesh.points.size(); ++v) {
       const Ref ref{Ref::Kind::vertex, v};
@@ -151,7 +153,7 @@ TEST(Why, EveryVertexIsExplainedByARuleThatItsValuesSatisfy) {
 }
 
 TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
-  const Recording& run = runOf("l_shape");
+  const Recorded& run = runOf("l_shape");
   Journal deaf;
   std::size_t checked = 0;
   for (std::size_t k = 0; k < run.events.size() && checked < 25; ++k) {
@@ -174,7 +176,7 @@ TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
 
 TEST(Why, EveryTriangleIsExplained) {
   for (const char* const sample : kSamples) {
-    const Recording& run = runOf(sample);
+    const Recorded& run = runOf(sample);
     for (std::size_t slot = 0; slot < run.end.mesh.triangles.size(); ++slot) {
       if (!run.end.mesh.alive(static_cast<std::int32_t>(slot))) continue;
       const Ref ref{Ref::Kind::triangle, run.end.mesh.ids[slot]};
@@ -191,7 +193,7 @@ TEST(Why, EveryTriangleIsExplained) {
 
 TEST(Why, EveryCellLeadsBackToAConstraint) {
   for (const char* const sample : kSamples) {
-    const Recording& run = runOf(sample);
+    const Recorded& run = runOf(sample);
     for (std::uint32_t cell = 0; cell < run.end.tree.cells.size(); ++cell) {
       const Ref ref{Ref::Kind::cell, cell};
       const std::vector<Line> answer = why(run.events, ref);
@@ -209,7 +211,7 @@ TEST(Why, EveryCellLeadsBackToAConstraint) {
 }
 
 TEST(WhyNot, NamesEveryRuleAndRecordedRefusals) {
-  const Recording& run = runOf("cracked_plate");
+  const Recorded& run = runOf("cracked_plate");
   std::size_t refused = 0;
   for (std::size_t k = 0; k < run.events.size() && refused < 40; ++k) {
     const Event& e = run.events[k];
@@ -225,8 +227,36 @@ TEST(WhyNot, NamesEveryRuleAndRecordedRefusals) {
   EXPECT_GT(refused, 0u);
 }
 
+TEST(WhyNot, ARuleIsSilentExactlyWhereItsConditionDoesNotHold) {
+  // Right after the last round of steps 1-5: nothing has been moved since the rules had their last look.
+  for (const char* const sample : {"annulus", "l_shape", "cracked_plate"}) {
+    Recording all(support::start(support::domainAt(support::samples() / (std::string(sample) + ".json"))));
+    ASSERT_TRUE(all.toStage(Stage::refine));
+    const Mesh& mesh = all.state().mesh;
+    std::size_t silent = 0;
+    for (std::size_t s = 0; s < mesh.triangles.size(); ++s) {
+      const auto slot = static_cast<std::int32_t>(s);
+      if (!mesh.alive(slot)) continue;
+      for (const Line& line : whyNot(all.events(), idOf(mesh, slot))) {
+        const std::string text = textOf(line);
+        for (int step = 2; step <= 5; ++step) {
+          const auto stage = static_cast<Stage>(static_cast<int>(Stage::step1) + step - 1);
+          Proposal proposal;
+          if (text.find("Step " + std::to_string(step) + " proposed nothing") == 0) {
+            EXPECT_FALSE(proposes(stage, all.state(), slot, proposal)) << sample << ": " << text;
+            ++silent;
+          } else if (text.find(": Step " + std::to_string(step) + " proposed a vertex") != std::string::npos) {
+            EXPECT_TRUE(proposes(stage, all.state(), slot, proposal)) << sample << ": " << text;
+          }
+        }
+      }
+    }
+    EXPECT_GT(silent, 100u) << sample;
+  }
+}
+
 TEST(WhyNot, WhatIsNotThereIsSaidToBeNotThere) {
-  const Recording& run = runOf("annulus");
+  const Recorded& run = runOf("annulus");
   EXPECT_EQ(textOf(whyNot(run.events, 4000000000u).front()), "There is no triangle 4000000000 up to here.");
   EXPECT_EQ(textOf(why(run.events, {Ref::Kind::vertex, 99999}).front()), "There is no vertex 99999 up to here.");
   EXPECT_EQ(textOf(historyOf({}, {Ref::Kind::triangle, 0}).front()), "There is no triangle 0 up to here.");
@@ -235,7 +265,7 @@ TEST(WhyNot, WhatIsNotThereIsSaidToBeNotThere) {
 }
 
 TEST(HistoryOf, TellsEveryEventAboutAnElementInOrder) {
-  const Recording& run = runOf("l_shape");
+  const Recorded& run = runOf("l_shape");
   for (std::uint32_t v = 4; v < run.end.mesh.points.size(); v += 7) {
     const Ref ref{Ref::Kind::vertex, v};
     const std::vector<std::size_t> about = eventsAbout(run.events, ref);
@@ -261,7 +291,7 @@ TEST(HistoryOf, TellsEveryEventAboutAnElementInOrder) {
 TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
   // Brute force: after every decision, which triangles are gone.
   const auto domain = support::domainAt(support::samples() / "l_shape.json");
-  const Recording tiny = record(domain, std::size_t{64} << 10);
+  const Recorded tiny = record(domain, std::size_t{64} << 10);
   MeshState state = support::start(domain);
   std::vector<Event> events;
   Journal journal{&events};
@@ -288,7 +318,7 @@ TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
 }
 
 TEST(Life, TickOfAnEventIsWhenItHasHappened) {
-  const Recording& run = runOf("annulus");
+  const Recorded& run = runOf("annulus");
   for (std::size_t k = 0; k < run.events.size(); k += 17)
     EXPECT_EQ(tickOf(run.history, run.end.tick, k), run.tickAt[k]) << "event " << k;
 }

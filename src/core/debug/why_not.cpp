@@ -1,0 +1,128 @@
+// Why not: what the rules proposed for a triangle, and why nothing came of it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/debug/answer.h"
+#include "core/debug/why.h"
+
+namespace triscope {
+namespace {
+
+struct Trial {
+  Rule rule;
+  Stage stage;
+  std::string_view foundNothing;  // what was true when it had a look and proposed nothing
+};
+constexpr std::array kTrials{
+    Trial{Rule::step1, Stage::step1, "its circumradius R was below the edge length h wanted at its circumcentre"},
+    Trial{Rule::step2, Stage::step2, "its circumradius R was below the smallest edge length h wanted at its corners"},
+    Trial{Rule::step3, Stage::step3, "its circumradius R was below its shortest edge e"},
+    Trial{Rule::step4, Stage::step4, "its circumradius R was below the shortest edge e of every neighbour"},
+    Trial{Rule::step5, Stage::step5,
+          "its apex was nearer to the middle of every shared edge than that neighbour's e + height"},
+    Trial{Rule::repair, Stage::repair, "it broke no bound, on its own or with a neighbour"},
+    Trial{Rule::laplacian, Stage::refine, "its corners lie on the boundary, or were settled already"},
+    Trial{Rule::reduce_obtuse, Stage::refine, "it had no obtuse angle, or none with a side that is free to move"},
+    Trial{Rule::shared_edge, Stage::refine, "no neighbour was twice as large, or the shared edge lies on the boundary"},
+};
+
+/// Proposals of one rule that had the same outcome; `last` is the latest event of them.
+struct Outcomes {
+  std::size_t first;
+  std::size_t last;
+  std::size_t count;
+};
+
+/// What one look through the triangle's life found.
+struct Review {
+  std::array<std::vector<Outcomes>, kTrials.size()> outcomes;  // by trial
+  std::array<std::optional<std::size_t>, kStageCount> ended;   // by stage: the last event that ended it, of its life
+  std::array<bool, kStageCount> endedBefore{};                 // by stage: it ended before the triangle was made
+};
+
+bool isMove(EventKind kind) { return kind == EventKind::vertex_moved || kind == EventKind::vertex_kept; }
+
+bool isProposal(EventKind kind) {
+  return kind == EventKind::vertex_inserted || kind == EventKind::vertex_refused || kind == EventKind::edge_split ||
+         kind == EventKind::vertex_removed || isMove(kind);
+}
+
+/// True when the proposal is for the triangle; the Laplacian filter's are for one of its corners.
+bool isFor(const Event& e, std::uint32_t triangle, const TriangleFacts& facts) {
+  if (e.rule == Rule::laplacian)
+    return std::find(facts.corners.begin(), facts.corners.end(), e.vertex) != facts.corners.end();
+  return (e.kind == EventKind::edge_split ? e.other : e.subject) == triangle;
+}
+
+bool alike(const Event& a, const Event& b) {
+  return a.kind == b.kind && a.refusal == b.refusal && (!isMove(a.kind) || a.vertex == b.vertex);
+}
+
+void add(Events events, std::size_t index, std::vector<Outcomes>& list) {
+  const auto same =
+      std::find_if(list.begin(), list.end(), [&](const Outcomes& o) { return alike(events[o.first], events[index]); });
+  if (same == list.end()) {
+    list.push_back({index, index, 1});
+  } else {
+    same->last = index;
+    ++same->count;
+  }
+}
+
+Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const TriangleFacts& facts) {
+  Review review;
+  for (std::size_t k = 0; k < birth; ++k) {
+    if (life[k].kind == EventKind::stage_finished) review.endedBefore[static_cast<std::size_t>(life[k].stage)] = true;
+  }
+  for (std::size_t k = birth; k < life.size(); ++k) {
+    const Event& e = life[k];
+    if (e.kind == EventKind::stage_finished) review.ended[static_cast<std::size_t>(e.stage)] = k;
+    if (!isProposal(e.kind) || !isFor(e, triangle, facts)) continue;
+    const auto trial = std::find_if(kTrials.begin(), kTrials.end(), [&](const Trial& t) { return t.rule == e.rule; });
+    if (trial != kTrials.end()) add(life, k, review.outcomes[static_cast<std::size_t>(trial - kTrials.begin())]);
+  }
+  return review;
+}
+
+/// Of a rule that proposed nothing: that it had a look and found nothing to do, or why it had none.
+std::string silence(Events life, const Review& review, const Trial& trial, bool gone) {
+  const std::string rule = capitalised(std::string(name(trial.rule)));
+  if (const auto end = review.ended[static_cast<std::size_t>(trial.stage)]) {
+    const std::uint16_t round = trial.stage == Stage::refine ? std::uint16_t{0} : life[*end].round;
+    return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end,
+                       round > 0 ? fmt::format(", round {}", round) : std::string(), trial.foundNothing);
+  }
+  const bool before = review.endedBefore[static_cast<std::size_t>(trial.stage)];
+  return fmt::format("{} has proposed nothing: {}.", rule,
+                     before ? "it was over before the triangle was made"
+                     : gone ? "the triangle was gone before it came to its end"
+                            : "it has not come to its end yet");
+}
+
+}  // namespace
+
+std::vector<Line> whyNot(Events events, std::uint32_t triangle, const TriangleFacts& facts) {
+  Answer answer(events);
+  const Ref ref{Ref::Kind::triangle, triangle};
+  const std::optional<std::size_t> birth = birthOf(events, ref);
+  if (!birth && triangle > 1) {
+    answer.say(withoutBirth(events, ref));
+    return answer.take();
+  }
+  const Events life = facts.death ? events.first(*facts.death + 1) : events;
+  const Review review = reviewOf(life, birth.value_or(0), triangle, facts);
+  for (std::size_t k = 0; k < kTrials.size(); ++k) {
+    if (kTrials[k].rule == Rule::laplacian && facts.corners[0] == kNoId) continue;
+    for (const Outcomes& outcome : review.outcomes[k]) {
+      answer.say(told(events, outcome.last) +
+                 (outcome.count > 1 ? fmt::format(" The last of {} times.", outcome.count) : std::string()));
+    }
+    if (review.outcomes[k].empty()) answer.say(silence(life, review, kTrials[k], facts.death.has_value()));
+  }
+  if (facts.death) answer.say(ending(events, *facts.death));
+  return answer.take();
+}
+
+}  // namespace triscope
