@@ -86,7 +86,7 @@ void SessionWorker::rememberStage() {
 void SessionWorker::keepBackup() {
   if (backup_ || !loaded_) return;
   if (goal_.kind != Goal::Kind::none || !fresh_.empty()) publishState();
-  backup_.emplace();
+  backup_.emplace(Backup{});  // clang: not default-constructible to an optional inside the class
   backup_->at = {std::make_shared<const MeshState>(state_), recorded_, last_, 0};
   backup_->checkpoints = checkpoints_;
   backup_->recorder = recorder_;
