@@ -33,6 +33,8 @@ constexpr std::array kLayers{
     Layer{"core/io/", 12},
     Layer{"core/history/", 13},
     Layer{"core/debug/", 13},
+    Layer{"core/run_record", 13},
+    Layer{"core/quality_trace", 13},
     Layer{"core/session", 14},
     Layer{"render/", 15},
     Layer{"ui/", 16},
