@@ -99,7 +99,7 @@ std::string insertion(const Event& e) {
 
 /// Why not: the refusal, with its figures where it was a comparison.
 std::string refusalOf(const Event& e) {
-  const std::string why(describe(e.refusal));
+  std::string why(describe(e.refusal));
   switch (e.refusal) {
     case Refusal::too_close:
     case Refusal::edge_below_minimum:

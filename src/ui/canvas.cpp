@@ -132,7 +132,7 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, view.px(8));
   if (ImGui::Begin("##progress", nullptr, kFlags)) {
     std::string text = fmt::format("{}: {} triangles", infoOf(p.stage).name, grouped(p.triangles));
-    if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(p.estimated + 0.5));
+    if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(std::llround(p.estimated)));
     ImGui::TextUnformatted(text.c_str());
     ImGui::ProgressBar(static_cast<float>(p.fraction), {-view.px(90), 0.0f});
     ImGui::SameLine();
@@ -153,7 +153,8 @@ void drawCanvas(const View& view, Orders& orders) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (view.canvasTexture != 0) {
     // Texture rows run upwards.
-    const auto id = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(view.canvasTexture));
+    const auto name = static_cast<std::uintptr_t>(view.canvasTexture);
+    const auto id = reinterpret_cast<ImTextureID>(name);  // NOLINT(performance-no-int-to-ptr): as ImGui wants it
     list.AddImage(id, corner, {corner.x + size.x, corner.y + size.y}, {0, 1}, {1, 0});
   }
   ImGui::InvisibleButton("canvas", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);

@@ -63,8 +63,10 @@ void ImGuiCanvas::fillTriangles(std::span<const Point> points, std::span<const I
       continue;
     }
     const auto [low, high] = std::minmax({p[0].x + p[0].y, p[1].x + p[1].y, p[2].x + p[2].y});
-    for (double at = std::floor(low / kSpacing) * kSpacing; at < high; at += kSpacing)
-      fillStripe(list_, p, at, at + 0.35 * kSpacing, color);
+    const auto first = static_cast<int>(std::floor(low / kSpacing));
+    const auto last = static_cast<int>(std::ceil(high / kSpacing));
+    for (int stripe = first; stripe < last; ++stripe)
+      fillStripe(list_, p, stripe * kSpacing, (stripe + 0.35) * kSpacing, color);
   }
 }
 
