@@ -264,6 +264,16 @@ TEST_P(Rules, TheLastRoundInsertsNothing) {
   }
 }
 
+// The first front builds an equilateral triangle on a kept edge of √3Δx or more. Its centre, which step 2 proposes,
+// sees the edge under 120°: inserted, it left angles of exactly 30° and 120° that nothing could mend.
+TEST(InsertionRules, NoPointSeesABoundaryEdgeUnder120Degrees) {
+  support::expectBounds(support::after(support::domainFrom(R"({"min_edge_length": 1,
+    "outer": [[-10, -10], [10, -10], [10, 10], [-10, 10]], "segments": [[[0, 0], [1.76, 0]]],
+    "density": [{"at": [0.88, 1.2], "rank": 1}, {"at": [0.88, -1.2], "rank": 1},
+      {"at": [0, 0], "rank": 1}, {"at": [1.76, 0], "rank": 1}]})"),
+                                       Stage::step5));
+}
+
 TEST(InsertionRules, NearTiesAreInserted) {
   // An angle of 30° to the last bit gives R = e up to rounding: it must not be left behind on the wrong side.
   Mesh mesh = support::boxMesh({-4, -4}, {4, 4});

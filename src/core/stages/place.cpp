@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/flip.h"
 
@@ -12,14 +13,15 @@ thread_local Cavity cavity;
 thread_local std::vector<std::int32_t> suspects;
 thread_local std::vector<Flip> flips;
 
-// True when p sees the edge a-b under an angle whose cosine is below `limit`.
+// True when p sees the edge a-b under an angle whose cosine is below `limit`. A tie counts (but for a right angle): the
+// centre of an equilateral triangle sees its edges under 120°, where the bound on angles is strict.
 bool seenTooWide(Point p, Point a, Point b, double limit) {
   const Point u = a - p;
   const Point v = b - p;
   const double product = dot(u, v);
   if (limit == 0.0) return product < 0.0;
   if (product >= 0.0) return false;
-  return product * product > limit * limit * squaredLength(u) * squaredLength(v);
+  return product * product > (1.0 - kBoundMargin) * limit * limit * squaredLength(u) * squaredLength(v);
 }
 
 }  // namespace
