@@ -36,8 +36,8 @@ Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& se
 
 /// Carries the state on by one grain. Returns false when there was nothing left to do.
 bool advance(MeshState& state, Grain grain, Journal& journal);
-/// Carries on until `stage` is over (step5: until the last round and its repairs are over), or for at most `limit` beats (decisions and
-/// changes of stage). Returns true while there is more to do before that.
+/// Carries on until `stage` is over (step5: until the last round and its repairs are over), or for at most `limit`
+/// beats (decisions and changes of stage). Returns true while there is more to do before that.
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal);
 
 }  // namespace triscope

@@ -20,7 +20,7 @@ enum class Stage : std::uint8_t {
   step3,
   step4,
   step5,   // Figure 4 (e) once a round inserts nothing
-  repair,         // our own: mends what the steps had to refuse
+  repair,  // our own: mends what the steps had to refuse
   refine,  // step 6, Figure 4 (f)
   finished,
 };

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "core/domain/read.h"
 #include "core/pipeline.h"
 

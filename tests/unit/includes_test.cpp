@@ -21,8 +21,14 @@ struct Layer {
   int level;
 };
 constexpr std::array kLayers{
-    Layer{"core/geometry/", 0}, Layer{"core/result", 1},   Layer{"core/stage.h", 1},  Layer{"core/settings", 2},
-    Layer{"core/event", 2},     Layer{"core/domain/", 3},  Layer{"core/density/", 4}, Layer{"core/mesh/", 5},
+    Layer{"core/geometry/", 0},
+    Layer{"core/result", 1},
+    Layer{"core/stage.h", 1},
+    Layer{"core/settings", 2},
+    Layer{"core/event", 2},
+    Layer{"core/domain/", 3},
+    Layer{"core/density/", 4},
+    Layer{"core/mesh/", 5},
     Layer{"core/state", 6},
     Layer{"core/hash", 7},
     Layer{"core/pipeline.h", 7},

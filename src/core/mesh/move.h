@@ -21,9 +21,9 @@ struct MoveLog {
   std::int32_t vertex = -1;
   Point from;
   std::uint32_t nextId = 0;
-  std::vector<Saved> saved;             // in the order of change: undone backwards
+  std::vector<Saved> saved;  // in the order of change: undone backwards
   std::vector<SavedVertex> vertices;
-  std::vector<std::int32_t> slots;      // of the star and of every triangle flipped: the same region before and after
+  std::vector<std::int32_t> slots;  // of the star and of every triangle flipped: the same region before and after
   std::uint32_t flips = 0;
 };
 
