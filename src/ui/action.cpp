@@ -92,13 +92,13 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      "restart",
      "Restart",
      "Goes back to before the first decision.",
-     {{{GLFW_KEY_F5, kShift}, {GLFW_KEY_HOME, kCtrl}}}},
+     {{{GLFW_KEY_HOME, kCtrl}}}},
     {Action::to_end,
      Menu::run,
      "to_end",
      "To the end",
      "Carries on until the mesh is finished.",
-     {{{GLFW_KEY_F5, 0}, {GLFW_KEY_END, 0}}}},
+     {{{GLFW_KEY_END, 0}}}},
     {Action::slower,
      Menu::run,
      "slower",
@@ -129,6 +129,67 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      "Redo parameter change",
      "Makes the change of a parameter again.",
      {{{GLFW_KEY_Z, kCtrl | kShift}, {GLFW_KEY_Y, kCtrl}}}},
+
+    {Action::continue_forward,
+     Menu::debug,
+     "continue_forward",
+     "Continue",
+     "Carries on to the next breakpoint that stops, or to the end.",
+     {{{GLFW_KEY_F5, 0}}}},
+    {Action::continue_back,
+     Menu::debug,
+     "continue_back",
+     "Continue backwards",
+     "Goes back to the last breakpoint that stops.",
+     {{{GLFW_KEY_F5, kShift}}}},
+    {Action::breakpoint,
+     Menu::debug,
+     "breakpoint",
+     "Break on what is selected",
+     "Stops at each decision about the selected triangle, vertex or cell; again takes the breakpoint away.",
+     {{{GLFW_KEY_F9, 0}}}},
+    {Action::first_violation,
+     Menu::debug,
+     "first_violation",
+     "Find the first violation",
+     "Goes to the first decision of the run that breaks a bound of the paper or a rule of validity.",
+     {{{GLFW_KEY_F9, kShift}}}},
+    {Action::bookmark,
+     Menu::debug,
+     "bookmark",
+     "Bookmark",
+     "Marks this decision on the timeline, or takes the mark away.",
+     {{{GLFW_KEY_M, 0}}}},
+    {Action::previous_mark,
+     Menu::debug,
+     "previous_mark",
+     "Previous mark",
+     "Goes back to the bookmark or the breakpoint met before this decision.",
+     {{{GLFW_KEY_J, kShift}}}},
+    {Action::next_mark,
+     Menu::debug,
+     "next_mark",
+     "Next mark",
+     "Goes to the next bookmark, or breakpoint met before.",
+     {{{GLFW_KEY_J, 0}}}},
+    {Action::why,
+     Menu::debug,
+     "why",
+     "Why is it here?",
+     "Says why the selected element is there.",
+     {{{GLFW_KEY_Y, 0}}}},
+    {Action::breakpoints_panel,
+     Menu::debug,
+     "breakpoints_panel",
+     "Breakpoints",
+     "Shows or hides the breakpoints.",
+     {{{GLFW_KEY_B, kCtrl}}}},
+    {Action::plots_panel,
+     Menu::debug,
+     "plots_panel",
+     "Plots",
+     "Shows or hides the measures along the run and in the mesh.",
+     {{{GLFW_KEY_P, kCtrl}}}},
 
     {Action::fit, Menu::view, "fit", "Fit", "Shows the whole domain.", {{{GLFW_KEY_HOME, 0}, {GLFW_KEY_F, 0}}}},
     {Action::zoom_in,
@@ -326,6 +387,8 @@ std::string_view nameOf(Menu menu) {
       return "File";
     case Menu::run:
       return "Run";
+    case Menu::debug:
+      return "Break";
     case Menu::view:
       return "View";
     case Menu::help:
@@ -357,7 +420,7 @@ std::string keysOf(const ActionInfo& info) {
 
 std::string keysAsMarkdown() {
   std::string text = "# Keys\n\nPrinted from the program's own table; F1 shows the same in the window.\n";
-  for (const Menu menu : {Menu::file, Menu::run, Menu::view, Menu::help}) {
+  for (const Menu menu : {Menu::file, Menu::run, Menu::debug, Menu::view, Menu::help}) {
     text += fmt::format("\n## {}\n\n| key | what it does |\n|---|---|\n", nameOf(menu));
     for (const ActionInfo& info : kActions)
       if (info.menu == menu && info.chords[0].key != 0)

@@ -35,6 +35,17 @@ enum class Action : std::uint8_t {
   cancel,
   undo,
   redo,
+  // Break
+  continue_forward,
+  continue_back,
+  breakpoint,
+  first_violation,
+  bookmark,
+  previous_mark,
+  next_mark,
+  why,
+  breakpoints_panel,
+  plots_panel,
   // View
   fit,
   zoom_in,
@@ -65,7 +76,7 @@ enum class Action : std::uint8_t {
 };
 inline constexpr int kActionCount = static_cast<int>(Action::about) + 1;
 
-enum class Menu : std::uint8_t { file, run, view, help };
+enum class Menu : std::uint8_t { file, run, debug, view, help };
 
 /// A key with its modifiers, as GLFW numbers them; key 0: none.
 struct Chord {

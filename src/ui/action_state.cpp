@@ -73,7 +73,7 @@ std::string whyNot(Action action, const View& view) {
     case Action::smaller:
       return view.ui.scale() <= 0.75 ? "75 % is the smallest." : "";
     default:
-      return {};
+      return whyNotDebug(action, view);
   }
 }
 
@@ -104,6 +104,10 @@ std::optional<bool> isOn(Action action, const UiState& ui) {
       return o.labels;
     case Action::legend:
       return ui.look.legend;
+    case Action::breakpoints_panel:
+      return ui.debug.bottom == "Breakpoints";
+    case Action::plots_panel:
+      return ui.debug.bottom == "Plots";
     case Action::help:
       return ui.dialog == Dialog::help;
     default:

@@ -80,6 +80,7 @@ void App::followRun() {
     openDialog(Dialog::error);
   }
   failuresSeen_ = session_.failures();
+  if (session_.notice() != saidNotice_) ui_.message = saidNotice_ = session_.notice();
   const SnapshotPtr& now = session_.current();
   if (now == nullptr || now == shown_) return;
   shown_ = now;
@@ -89,10 +90,18 @@ void App::followRun() {
     ui_.undo.clear();
     ui_.redo.clear();
     fitted_ = true;
+    ui_.debug.bookmarks.clear();
+    ui_.debug.from = ui_.debug.to = 0.0;
   }
+  resolveSelection();
+  keepInRange();
+}
+
+void App::resolveSelection() {
   // The slot may have been reused: the id says what was meant.
   Selection& selection = ui_.selected.selection;
-  const Mesh& mesh = now->state.mesh;
+  const MeshState& state = shown_->state;
+  const Mesh& mesh = state.mesh;
   switch (selection.kind) {
     case Selection::Kind::triangle:
     case Selection::Kind::edge:
@@ -103,7 +112,7 @@ void App::followRun() {
       ui_.selectedGone = ui_.selected.id >= mesh.points.size() || mesh.kinds[ui_.selected.id] == VertexKind::removed;
       break;
     case Selection::Kind::cell:
-      ui_.selectedGone = ui_.selected.id >= now->state.tree.cells.size();
+      ui_.selectedGone = ui_.selected.id >= state.tree.cells.size();
       break;
     case Selection::Kind::none:
       ui_.selectedGone = false;
@@ -123,13 +132,10 @@ bool App::prepareFrame() {
 }
 
 View App::view() {
-  return {session_,
-          ui_,
-          scene_,
-          fonts_,
-          renderer_ ? renderer_->texture() : 0,
-          legendOnCanvas_,
-          stateFile_.wanted() ? &widgets_ : nullptr};
+  return {session_,        ui_,
+          scene_,          fonts_,
+          answers_,        renderer_ ? renderer_->texture() : 0,
+          legendOnCanvas_, stateFile_.wanted() ? &widgets_ : nullptr};
 }
 
 void App::frame() {
@@ -152,6 +158,7 @@ void App::frame() {
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
   legendOnCanvas_ = layout.legend.size.y <= 0.0f;
   drawPicture(layout.canvas);
+  updateAnswers();
   drawRegions(layout, view(), orders);
   for (const Order& order : orders) carryOut(order);
   if (!orders.empty()) followRun();
@@ -210,6 +217,7 @@ void App::drawRegions(const Layout& layout, const View& shown, Orders& orders) {
   }
   drawSide("##left", Side::left, layout.left, shown, orders);
   drawSide("##right", Side::right, layout.right, shown, orders);
+  drawBottom(layout, shown, orders);
   drawSplitters(shown, orders, layout);
   drawDialog(shown, orders);
 }
@@ -223,13 +231,13 @@ void App::drawSide(const char* name, Side side, const Region& region, const View
       const bool open = ImGui::BeginTabItem(panel.name, nullptr, flags);
       note(shown, std::string("tab.") + panel.name);
       if (!open) continue;
-      if (side == Side::left && wantedTab_.empty()) ui_.tab = panel.name;
+      if (wantedTab_.empty()) (side == Side::left ? ui_.tab : ui_.debug.rightTab) = panel.name;
       if (ImGui::BeginChild("content", {0, 0}, false)) panel.draw(shown, orders);
       ImGui::EndChild();
       ImGui::EndTabItem();
     }
     ImGui::EndTabBar();
-    if (side == Side::left) wantedTab_.clear();
+    if (side == Side::right) wantedTab_.clear();
   }
   ImGui::End();
 }

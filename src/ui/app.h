@@ -57,10 +57,12 @@ class App {
  private:
   [[nodiscard]] View view();
   void drawRegions(const Layout& layout, const View& view, Orders& orders);
+  void drawBottom(const Layout& layout, const View& view, Orders& orders);
   void drawSide(const char* name, Side side, const Region& region, const View& view, Orders& orders);
   void drawDialog(const View& view, Orders& orders);
   void drawPicture(const Region& region);
   void followRun();
+  void resolveSelection();
   void performPressed();
 
   void carryOut(const Order& order);
@@ -77,6 +79,14 @@ class App {
   void setScale(double scale);
   void toggle(Action action);
   void cancel();
+  void performDebug(Action action);
+  void toggleBreakpoint();
+  void toggleBookmark();
+  void goToMark(bool after);
+  void addBreakpoint();
+  void follow(Ref ref);
+  void keepInRange();
+  void updateAnswers();
   void openDialog(Dialog dialog);
   void exportTo(const std::string& path);
   void finishExport();
@@ -98,9 +108,11 @@ class App {
   std::vector<Action> pressed_;  // by keys, since the last frame
   std::shared_ptr<const Domain> shownDomain_;
   SnapshotPtr shown_;
+  DebugAnswers answers_;
   double styledScale_ = 0.0;
   ThemeKind styledTheme_ = ThemeKind::light;
   std::string wantedTab_;   // to be brought to the front
+  std::string saidNotice_;  // of the session, in the message already
   std::string exportPath_;  // being written
   bool fitted_ = true;      // the camera shows the whole domain, and is to go on doing so
   bool legendOnCanvas_ = false;

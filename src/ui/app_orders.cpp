@@ -48,6 +48,21 @@ void App::carryOut(const Order& order) {
     void operator()(const order::ExportTo& o) const { app.exportTo(o.path); }
     void operator()(const order::ShowTab& o) const { app.wantedTab_ = o.name; }
     void operator()(const order::CloseDialog&) const { app.ui_.dialog = Dialog::none; }
+    void operator()(const order::FollowLink& o) const { app.follow(o.ref); }
+    void operator()(const order::ShowRange& o) const {
+      app.ui_.debug.from = o.from;
+      app.ui_.debug.to = o.to;
+    }
+    void operator()(const order::TypeCondition& o) const {
+      app.ui_.debug.condition = o.text;
+      app.ui_.debug.action = o.action;
+      app.ui_.debug.complaint.reset();
+    }
+    void operator()(const order::AddBreakpoint&) const { app.addBreakpoint(); }
+    void operator()(const order::ShowPlot& o) const {
+      app.ui_.debug.plot = static_cast<PlotOf>(o.plot);
+      app.ui_.debug.histogram = static_cast<Measure>(o.histogram);
+    }
   };
   std::visit(Visitor{*this}, order);
 }
@@ -130,7 +145,9 @@ void App::perform(Action action) {
     default:
       break;
   }
-  if (isOn(action, ui_))
+  if (infoOf(action).menu == Menu::debug)
+    performDebug(action);
+  else if (isOn(action, ui_))
     toggle(action);
   else
     performOnRun(action);
@@ -226,7 +243,7 @@ void App::cancel() {
 
 void App::select(const Pick& pick) {
   ui_.selected = pick;
-  ui_.selectedGone = false;
+  if (shown_) resolveSelection();
 }
 
 void App::showWorst(std::int32_t slot, std::int32_t other) {

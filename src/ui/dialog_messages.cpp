@@ -105,6 +105,7 @@ void drawHelpDialog(const View& view, Orders& orders) {
       ImGui::TableNextColumn();
       keyTable(view, Menu::run);
       keyTable(view, Menu::file);
+      keyTable(view, Menu::debug);
       ImGui::TableNextColumn();
       keyTable(view, Menu::view);
       keyTable(view, Menu::help);

@@ -9,6 +9,10 @@ namespace triscope {
 namespace {
 
 constexpr double kStatus = 30.0;  // heights and widths in pixels at 100 %
+constexpr double kTimeline = 52.0;
+constexpr double kLowTimeline = 34.0;  // where the window is low
+constexpr double kLowWindow = 500.0;
+constexpr double kLowestBottom = 120.0;
 constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
 constexpr double kNarrowestCanvas = 260.0;
@@ -18,8 +22,10 @@ constexpr double kCaptionText = 1250.0;  // a long caption on one line
 constexpr double kCaptionLine = 17.0;
 constexpr double kCaptionRest = 44.0;  // its heading and padding
 
+/// `upright`: the border stands between left and right; `sign`: 1 where dragging right or down widens.
 void splitter(const View& view, Orders& orders, const char* name, const Region& region, double Appearance::* width,
-              double sign) {
+              double sign, bool upright = true) {
+  if (region.size.x <= 0.0f || region.size.y <= 0.0f) return;
   if (!beginRegion(name, region, {0, 0}, ImGuiWindowFlags_NoBackground)) {
     ImGui::End();
     return;
@@ -28,15 +34,20 @@ void splitter(const View& view, Orders& orders, const char* name, const Region& 
   note(view, name);
   const bool active = ImGui::IsItemActive();
   if (active || ImGui::IsItemHovered()) {
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    const ImVec2 end{region.at.x + region.size.x, region.at.y + region.size.y};
     const float x = region.at.x + 0.5f * region.size.x;
-    ImGui::GetWindowDrawList()->AddLine({x, region.at.y}, {x, region.at.y + region.size.y},
+    const float y = region.at.y + 0.5f * region.size.y;
+    ImGui::GetWindowDrawList()->AddLine(upright ? ImVec2{x, region.at.y} : ImVec2{region.at.x, y},
+                                        upright ? ImVec2{x, end.y} : ImVec2{end.x, y},
                                         ImGui::GetColorU32(ImGuiCol_SeparatorActive), view.px(2));
   }
-  if (active && ImGui::GetIO().MouseDelta.x != 0.0f) {
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  const float along = upright ? delta.x : delta.y;
+  if (active && along != 0.0f) {
     Appearance look = view.ui.look;
-    const double moved = sign * static_cast<double>(ImGui::GetIO().MouseDelta.x) / view.ui.scale();
-    look.*width = std::clamp(look.*width + moved, kNarrowestSide, 900.0);
+    const double moved = sign * static_cast<double>(along) / view.ui.scale();
+    look.*width = std::clamp(look.*width + moved, upright ? kNarrowestSide : kLowestBottom, 900.0);
     orders.emplace_back(look);
   }
   ImGui::End();
@@ -58,13 +69,19 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
     right = std::floor(right * shrink);
   }
   const float y = menu + toolbar;
-  const float bottom = window.y - px(kStatus);
+  const float status = window.y - px(kStatus);
+  const bool low = static_cast<double>(window.y) < kLowWindow * ui.scale();
+  const float timeline = px(low ? kLowTimeline : kTimeline);
+  const float free = std::max(1.0f, status - y - timeline);
+  const float panel = ui.debug.bottom.empty() ? 0.0f : std::min(px(ui.look.bottomHeight), std::floor(0.6f * free));
+  const float border = panel > 0.0f ? splitter : 0.0f;
+  const float bottom = status - timeline - panel - border;
   const float height = std::max(1.0f, bottom - y);
   const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
   const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 6.0);
-  const float caption = std::min(px(kCaptionRest + lines * kCaptionLine), 0.5f * height);
+  const float caption = std::min(px(kCaptionRest + lines * kCaptionLine), 0.4f * height);
   const float x = left + splitter;
-  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.5f * height;
+  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.4f * height;
   const float foot = legendFits ? legend.y : 0.0f;
   return {
       .toolbar = {{0, menu}, {window.x, toolbar}},
@@ -72,10 +89,13 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
       .right = {{x + middle + splitter, y}, {right, height - foot}},
       .canvas = {{x, y}, {middle, height - caption}},
       .caption = {{x, bottom - caption}, {middle, caption}},
-      .status = {{0, bottom}, {window.x, px(kStatus)}},
+      .bottom = {{0, bottom + border}, {window.x, panel}},
+      .timeline = {{0, status - timeline}, {window.x, timeline}},
+      .status = {{0, status}, {window.x, px(kStatus)}},
       .legend = {{x + middle + splitter, bottom - foot}, {legendFits ? right : 0.0f, foot}},
       .leftSplitter = {{left, y}, {splitter, height}},
       .rightSplitter = {{x + middle, y}, {splitter, height}},
+      .bottomSplitter = {{0, bottom}, {window.x, border}},
   };
 }
 
@@ -95,6 +115,7 @@ bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWi
 void drawSplitters(const View& view, Orders& orders, const Layout& layout) {
   splitter(view, orders, "splitter.left", layout.leftSplitter, &Appearance::leftWidth, 1.0);
   splitter(view, orders, "splitter.right", layout.rightSplitter, &Appearance::rightWidth, -1.0);
+  splitter(view, orders, "splitter.bottom", layout.bottomSplitter, &Appearance::bottomHeight, -1.0, false);
 }
 
 }  // namespace triscope

@@ -18,10 +18,13 @@ struct Layout {
   Region right;
   Region canvas;
   Region caption;
+  Region bottom;  // a panel above the timeline; empty when none is open
+  Region timeline;
   Region status;
   Region legend;  // at the foot of the right column; empty where it has no room there
   Region leftSplitter;
   Region rightSplitter;
+  Region bottomSplitter;
 };
 
 /// `menu` and `toolbar` are the heights of the bars. Side panels give way where the canvas would get too narrow, the
@@ -31,7 +34,7 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags = 0);
 
-/// The two borders that can be dragged.
+/// The borders that can be dragged.
 void drawSplitters(const View& view, Orders& orders, const Layout& layout);
 
 }  // namespace triscope

@@ -14,6 +14,10 @@ bool endsGroup(Action action) {
     case Action::to_end:
     case Action::faster:
     case Action::cancel:
+    case Action::continue_back:
+    case Action::first_violation:
+    case Action::next_mark:
+    case Action::why:
     case Action::zoom_out:
     case Action::worst_edge:
     case Action::next_fill:
@@ -36,7 +40,7 @@ void item(const View& view, Orders& orders, const ActionInfo& info) {
 }  // namespace
 
 void drawMenuBar(const View& view, Orders& orders) {
-  for (const Menu menu : {Menu::file, Menu::run, Menu::view, Menu::help}) {
+  for (const Menu menu : {Menu::file, Menu::run, Menu::debug, Menu::view, Menu::help}) {
     const std::string title(nameOf(menu));
     const bool open = ImGui::BeginMenu(title.c_str());
     note(view, "menu." + title);

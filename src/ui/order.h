@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/debug/links.h"
 #include "core/session.h"
 #include "render/camera.h"
 #include "render/pick.h"
@@ -19,6 +20,7 @@ struct Appearance {
   double scale = 0.0;        // of text and controls: 0.75 … 3; 0: the monitor's
   double leftWidth = 300.0;  // pixels at 100 %
   double rightWidth = 300.0;
+  double bottomHeight = 220.0;
   bool legend = true;
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
@@ -40,10 +42,27 @@ struct ShowTab {
   std::string name;
 };
 struct CloseDialog {};
+struct FollowLink {
+  Ref ref;  // selects an element, or goes to an event
+};
+struct ShowRange {
+  double from = 0.0;  // decisions that the timeline and the plots show; all when to <= from
+  double to = 0.0;
+};
+struct TypeCondition {
+  std::string text;
+  Breakpoint::Action action = Breakpoint::Action::stop;
+};
+struct AddBreakpoint {};  // what was typed
+struct ShowPlot {
+  int plot = 0;       // PlotOf
+  int histogram = 0;  // Measure
+};
 }  // namespace order
 
 using Order = std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame,
-                           order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog>;
+                           order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog, order::FollowLink,
+                           order::ShowRange, order::TypeCondition, order::AddBreakpoint, order::ShowPlot>;
 using Orders = std::vector<Order>;
 
 }  // namespace triscope

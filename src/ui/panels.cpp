@@ -5,11 +5,15 @@
 namespace triscope {
 
 std::span<const PanelInfo> panels() {
-  static constexpr std::array<PanelInfo, 4> kPanels{{
+  static constexpr std::array<PanelInfo, 8> kPanels{{
       {"Stages", Side::left, drawStages},
       {"Layers", Side::left, drawLayers},
       {"Params", Side::left, drawParams},
       {"Inspect", Side::right, drawInspect},
+      {"Why", Side::right, drawWhy},
+      {"History", Side::right, drawHistory},
+      {"Breakpoints", Side::bottom, drawBreakpoints},
+      {"Plots", Side::bottom, drawPlots},
   }};
   return kPanels;
 }

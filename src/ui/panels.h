@@ -8,7 +8,7 @@
 
 namespace triscope {
 
-enum class Side : std::uint8_t { left, right };
+enum class Side : std::uint8_t { left, right, bottom };
 
 struct PanelInfo {
   const char* name;  // on its tab
@@ -21,6 +21,10 @@ void drawLayers(const View& view, Orders& orders);
 void drawParams(const View& view, Orders& orders);
 void drawStages(const View& view, Orders& orders);
 void drawInspect(const View& view, Orders& orders);
+void drawWhy(const View& view, Orders& orders);
+void drawHistory(const View& view, Orders& orders);
+void drawBreakpoints(const View& view, Orders& orders);
+void drawPlots(const View& view, Orders& orders);
 void drawMeshFigures(const View& view, Orders& orders);
 
 // Fixed regions of the window; each fills the current Dear ImGui window.
@@ -32,6 +36,7 @@ void drawCanvas(const View& view, Orders& orders);
 void drawCaption(const View& view, Orders& orders);
 /// The sentence that the caption shows.
 std::string captionNow(const View& view);
+void drawTimeline(const View& view, Orders& orders);
 void drawStatusBar(const View& view, Orders& orders);
 void drawLegendRegion(const View& view, Orders& orders);
 /// The legend over a picture with this upper left corner and size.

@@ -21,6 +21,7 @@ void set(Appearance& look, const std::string& name, const std::string& value) {
   if (name == "scale" && (number == 0.0 || (number >= 0.75 && number <= 3.0))) look.scale = number;
   if (name == "left width" && number > 0.0) look.leftWidth = std::clamp(number, 180.0, 900.0);
   if (name == "right width" && number > 0.0) look.rightWidth = std::clamp(number, 180.0, 900.0);
+  if (name == "bottom height" && number > 0.0) look.bottomHeight = std::clamp(number, 120.0, 900.0);
   if (name == "legend") look.legend = value != "off";
   if (name == "theme")
     for (const auto& [theme, word] : kThemes)
@@ -56,9 +57,9 @@ void writePreferences(const std::string& path, const Appearance& look) {
     if (kind == look.theme) theme = word;
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return;
-  const Status written =
-      file->write(fmt::format("theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nlegend = {}\n", theme,
-                              look.scale, look.leftWidth, look.rightWidth, look.legend ? "on" : "off"));
+  const Status written = file->write(fmt::format(
+      "theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nbottom height = {:g}\nlegend = {}\n", theme,
+      look.scale, look.leftWidth, look.rightWidth, look.bottomHeight, look.legend ? "on" : "off"));
   if (written) (void)file->commit();
 }
 

@@ -126,6 +126,51 @@ std::string selection(const View& view) {
       .str();
 }
 
+std::string list(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+  return "[" + text + "]";
+}
+
+/// The debugger: what is known of the run, breakpoints, marks and answers.
+std::string debugger(const View& view) {
+  const RunRecord& record = view.session.record();
+  const DebugUi& ui = view.ui.debug;
+  std::vector<std::string> breakpoints, hits, bookmarks, why, whyNot, history;
+  for (const Breakpoint& b : view.session.breakpoints())
+    breakpoints.push_back(Object()
+                              .text("condition", b.condition.text())
+                              .flag("enabled", b.enabled)
+                              .number("action", static_cast<double>(b.action))
+                              .str());
+  for (const PassedHit& hit : view.session.hits()) hits.push_back(jsonNumber(static_cast<double>(hit.tick)));
+  for (const Bookmark& mark : ui.bookmarks) bookmarks.push_back(jsonNumber(static_cast<double>(mark.tick)));
+  for (const Line& line : view.debug.answers.why) why.push_back(jsonText(textOf(line)));
+  for (const Line& line : view.debug.answers.whyNot) whyNot.push_back(jsonText(textOf(line)));
+  for (const Line& line : view.debug.answers.history) history.push_back(jsonText(textOf(line)));
+  return Object()
+      .number("ticks", static_cast<double>(record.ticks))
+      .flag("complete", record.complete)
+      .number("samples", static_cast<double>(record.samples.size()))
+      .number("measured", record.samples.empty() ? 0.0 : static_cast<double>(record.samples.back().tick))
+      .number("from", ui.from)
+      .number("to", ui.to)
+      .text("bottom", ui.bottom)
+      .text("tab", ui.rightTab)
+      .text("condition", ui.condition)
+      .text("complaint", ui.complaint ? ui.complaint->message : "")
+      .number("plot", static_cast<double>(ui.plot))
+      .number("histogram", static_cast<double>(ui.histogram))
+      .flag("brush", view.ui.options.brush.on)
+      .add("breakpoints", list(breakpoints))
+      .add("hits", list(hits))
+      .add("bookmarks", list(bookmarks))
+      .add("why", list(why))
+      .add("why_not", list(whyNot))
+      .add("history", list(history))
+      .str();
+}
+
 std::string color(Color c) { return fmt::format("[{}, {}, {}]", c.r, c.g, c.b); }
 
 }  // namespace
@@ -166,6 +211,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
                          .str())
       .add("layers", layers(ui))
       .add("selection", selection(view))
+      .add("debug", debugger(view))
       .add("colors", Object()
                          .add("background", color(view.theme().background))
                          .add("surface", color(view.theme().surface))

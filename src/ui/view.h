@@ -12,6 +12,7 @@
 #include "render/pick.h"
 #include "render/scene.h"
 #include "render/view_options.h"
+#include "ui/debug_state.h"
 #include "ui/fonts.h"
 #include "ui/order.h"
 
@@ -43,6 +44,7 @@ struct UiState {
   std::optional<Point> cursor;  // world, while over the canvas
   std::vector<Settings> undo;
   std::vector<Settings> redo;
+  DebugUi debug;
   bool exporting = false;
   double frameMs = 0.0;
   std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
@@ -55,6 +57,7 @@ struct View {
   const UiState& ui;
   const Scene& scene;
   const Fonts& fonts;
+  const DebugAnswers& debug;
   unsigned canvasTexture = 0;
   bool legendOnCanvas = false;                 // it has no place of its own
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
@@ -66,6 +69,8 @@ struct View {
 
 /// Why an action cannot be done right now; empty when it can.
 std::string whyNot(Action action, const View& view);
+/// The same for the actions of the debugger.
+std::string whyNotDebug(Action action, const View& view);
 /// Whether a switch is on; nothing for actions that are no switches.
 std::optional<bool> isOn(Action action, const UiState& ui);
 

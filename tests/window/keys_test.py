@@ -165,6 +165,8 @@ class Complete(unittest.TestCase):
         """The tests above name every action that docs/keys.md has a key for."""
         with open(__file__, encoding="utf-8") as file:
             tests = file.read()
+        with open(os.path.join(os.path.dirname(__file__), "debugger_test.py"), encoding="utf-8") as file:
+            tests += file.read()
         with open(os.path.join(harness.SOURCE, "src", "ui", "action.cpp"), encoding="utf-8") as file:
             table = file.read()
         import re

@@ -1,0 +1,137 @@
+// What the debugger's orders and actions do.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "ui/app.h"
+
+namespace triscope {
+namespace {
+
+/// The place of an element in the mesh is found afterwards, by its id.
+Pick pickOf(Ref ref) {
+  Pick pick;
+  pick.id = ref.id;
+  pick.selection.index = static_cast<std::int32_t>(ref.id);
+  pick.selection.kind = ref.kind == Ref::Kind::triangle ? Selection::Kind::triangle
+                        : ref.kind == Ref::Kind::vertex ? Selection::Kind::vertex
+                                                        : Selection::Kind::cell;
+  return pick;
+}
+
+}  // namespace
+
+void App::performDebug(Action action) {
+  DebugUi& debug = ui_.debug;
+  const auto show = [&debug](const char* panel) { debug.bottom = debug.bottom == panel ? "" : panel; };
+  switch (action) {
+    case Action::continue_forward:
+      return apply(command::Continue{false});
+    case Action::continue_back:
+      return apply(command::Continue{true});
+    case Action::breakpoint:
+      return toggleBreakpoint();
+    case Action::first_violation:
+      return apply(command::FindViolation{});
+    case Action::bookmark:
+      return toggleBookmark();
+    case Action::previous_mark:
+      return goToMark(false);
+    case Action::next_mark:
+      return goToMark(true);
+    case Action::why:
+      wantedTab_ = "Why";
+      return;
+    case Action::breakpoints_panel:
+      return show("Breakpoints");
+    case Action::plots_panel:
+      return show("Plots");
+    default:
+      return;
+  }
+}
+
+void App::toggleBreakpoint() {
+  const Ref ref = *refOf(ui_.selected);
+  const std::string text = fmt::format("{} == {}", nameOf(ref.kind), ref.id);
+  std::vector<Breakpoint> list = session_.breakpoints();
+  const std::size_t taken = std::erase_if(list, [&text](const Breakpoint& b) { return b.condition.text() == text; });
+  if (taken == 0) list.push_back({*Condition::compile(text)});
+  apply(command::SetBreakpoints{std::move(list)});
+  ui_.message = taken == 0 ? fmt::format("Breakpoint: {}. F5 and Shift+F5 go to it.", text)
+                           : fmt::format("Breakpoint taken away: {}.", text);
+}
+
+void App::toggleBookmark() {
+  const std::uint64_t tick = shown_->state.tick;
+  std::vector<Bookmark>& marks = ui_.debug.bookmarks;
+  const auto at = std::lower_bound(marks.begin(), marks.end(), tick,
+                                   [](const Bookmark& mark, std::uint64_t t) { return mark.tick < t; });
+  if (at != marks.end() && at->tick == tick) {
+    marks.erase(at);
+    return;
+  }
+  marks.insert(at, {tick, fmt::format("Decision {}", tick)});
+}
+
+void App::goToMark(bool after) {
+  const std::uint64_t tick = shown_->state.tick;
+  std::optional<std::uint64_t> best;
+  const auto offer = [&](std::uint64_t mark) {
+    if (after ? mark <= tick : mark >= tick) return;
+    if (!best || (after ? mark < *best : mark > *best)) best = mark;
+  };
+  for (const Bookmark& mark : ui_.debug.bookmarks) offer(mark.tick);
+  for (const PassedHit& hit : session_.hits()) offer(hit.tick);
+  if (best) apply(command::Seek{*best});
+}
+
+void App::addBreakpoint() {
+  DebugUi& debug = ui_.debug;
+  Result<Condition> condition = Condition::compile(debug.condition);
+  if (!condition) {
+    debug.complaint = condition.error();
+    return;
+  }
+  std::vector<Breakpoint> list = session_.breakpoints();
+  list.push_back({std::move(*condition), debug.action});
+  debug.condition.clear();
+  debug.complaint.reset();
+  apply(command::SetBreakpoints{std::move(list)});
+}
+
+void App::follow(Ref ref) {
+  if (ref.kind == Ref::Kind::event) return apply(command::SeekEvent{ref.id});
+  select(pickOf(ref));
+  if (ui_.selectedGone) ui_.message = fmt::format("{} is not part of the mesh at this moment.", nameOf(ref));
+}
+
+void App::keepInRange() {
+  DebugUi& debug = ui_.debug;
+  if (debug.to <= debug.from) return;
+  const double width = debug.to - debug.from;
+  const auto tick = static_cast<double>(shown_->state.tick);
+  if (tick < debug.from) debug.from = std::max(0.0, tick - 0.1 * width);
+  if (tick > debug.from + width) debug.from = tick - 0.9 * width;
+  debug.to = debug.from + width;
+}
+
+void App::updateAnswers() {
+  if (session_.stale()) return;
+  const std::string& tab = ui_.debug.rightTab;
+  if (tab == "Why" || tab == "History") update(answers_.answers, session_, refOf(ui_.selected));
+  if (ui_.debug.bottom == "Plots") update(answers_.histogram, session_, ui_.debug.histogram);
+}
+
+void App::drawBottom(const Layout& layout, const View& shown, Orders& orders) {
+  if (beginRegion("##timeline", layout.timeline, {shown.px(12), shown.px(5)})) drawTimeline(shown, orders);
+  ImGui::End();
+  if (layout.bottom.size.y <= 0.0f) return;
+  if (beginRegion("##bottom", layout.bottom, {shown.px(12), shown.px(6)})) {
+    for (const PanelInfo& panel : panels())
+      if (panel.side == Side::bottom && panel.name == ui_.debug.bottom) panel.draw(shown, orders);
+  }
+  ImGui::End();
+}
+
+}  // namespace triscope

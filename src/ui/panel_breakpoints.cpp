@@ -1,0 +1,175 @@
+// The breakpoints, what was met so far, and what can be written.
+#include <fmt/format.h>
+#include <imgui.h>
+// Needs imgui.h before it.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "render/number.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+constexpr std::array<const char*, 3> kActions{"stop", "log", "mark"};
+constexpr const char* kActionHelp = "Stop there, or only list and mark it on the timeline in passing (log, mark).";
+
+bool chooseAction(const View& view, Breakpoint::Action& action, const std::string& name) {
+  int chosen = static_cast<int>(action);
+  ImGui::SetNextItemWidth(view.px(84));
+  const bool changed = ImGui::Combo("##action", &chosen, kActions.data(), static_cast<int>(kActions.size()));
+  note(view, name);
+  tip(view, kActionHelp);
+  action = static_cast<Breakpoint::Action>(chosen);
+  return changed;
+}
+
+/// The words of the language; a click adds one to what is typed.
+void words(const View& view, Orders& orders) {
+  if (ImGui::Button("Words")) ImGui::OpenPopup("words");
+  note(view, "break.words");
+  tip(view, "What a condition can ask about.");
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {view.px(560), view.px(320)});
+  if (!ImGui::BeginPopup("words")) return;
+  for (const Word& word : conditionWords()) {
+    const std::string name(word.name);
+    if (ImGui::Selectable(name.c_str())) {
+      std::string text = view.ui.debug.condition;
+      if (!text.empty() && text.back() != ' ') text += ' ';
+      orders.emplace_back(order::TypeCondition{text + name + ' ', view.ui.debug.action});
+    }
+    ImGui::SameLine(view.px(150));
+    ImGui::TextDisabled("%s", std::string(word.help).c_str());
+  }
+  ImGui::EndPopup();
+}
+
+/// What is wrong with what was typed, with a mark under the character it is about.
+void complain(const View& view, const Error& error) {
+  ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
+  std::string_view rest = error.message;
+  std::string quoted;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string line(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t caret = line.find('^');
+    const bool marks = caret != std::string::npos && line.find_first_not_of(' ') == caret && !quoted.empty();
+    if (marks) {
+      // The letters are not all of one width: the mark goes where the character is.
+      const float x = ImGui::CalcTextSize(quoted.substr(0, caret).c_str()).x;
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + x);
+      ImGui::TextUnformatted("^");
+      note(view, "break.caret");
+    } else {
+      ImGui::TextWrapped("%s", line.c_str());
+    }
+    quoted = line;
+  }
+  ImGui::PopStyleColor();
+  note(view, "break.complaint");
+}
+
+void typed(const View& view, Orders& orders) {
+  const DebugUi& debug = view.ui.debug;
+  order::TypeCondition edit{debug.condition, debug.action};
+  const float add = ImGui::CalcTextSize("Add").x + ImGui::CalcTextSize("Words").x +
+                    4.0f * ImGui::GetStyle().FramePadding.x + view.px(84) + 3.0f * ImGui::GetStyle().ItemSpacing.x;
+  ImGui::SetNextItemWidth(std::max(view.px(120), ImGui::GetContentRegionAvail().x - add));
+  const bool entered = ImGui::InputTextWithHint("##condition", "aspect > 4 and stage == refine", &edit.text,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  note(view, "break.condition");
+  tip(view, "A condition: words are compared with numbers or names, and joined by and, or, not. Enter adds it.");
+  ImGui::SameLine();
+  const bool chosen = chooseAction(view, edit.action, "break.action");
+  ImGui::SameLine();
+  const bool empty = edit.text.empty();
+  ImGui::BeginDisabled(empty);
+  const bool pressed = ImGui::Button("Add");
+  ImGui::EndDisabled();
+  note(view, "break.add", !empty);
+  tip(view, empty ? "Not now: type a condition first." : "Adds this breakpoint.");
+  ImGui::SameLine();
+  words(view, orders);
+  if (edit.text != debug.condition || chosen) orders.emplace_back(edit);
+  if ((entered && !empty) || pressed) orders.emplace_back(order::AddBreakpoint{});
+  if (debug.complaint) complain(view, *debug.complaint);
+}
+
+void list(const View& view, Orders& orders) {
+  const std::vector<Breakpoint>& all = view.session.breakpoints();
+  if (all.empty()) muted(view, "No breakpoint yet. Type a condition, or select an element and press F9.");
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    std::vector<Breakpoint> changed = all;
+    bool change = false;
+    ImGui::PushID(static_cast<int>(k));
+    change |= ImGui::Checkbox("##enabled", &changed[k].enabled);
+    note(view, fmt::format("break.{}.enabled", k));
+    tip(view, "Off: passed by as if it were not there.");
+    ImGui::SameLine();
+    change |= chooseAction(view, changed[k].action, fmt::format("break.{}.action", k));
+    ImGui::SameLine();
+    const auto met = std::count_if(view.session.hits().begin(), view.session.hits().end(),
+                                   [&](const PassedHit& hit) { return hit.condition == all[k].condition.text(); });
+    if (ImGui::Button("Delete")) {
+      changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(k));
+      change = true;
+    }
+    note(view, fmt::format("break.{}.delete", k));
+    tip(view, "Takes this breakpoint away.");
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    const std::string times = met > 0 ? fmt::format("   met {} times", met) : "";
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted((all[k].condition.text() + times).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopID();
+    if (change) orders.emplace_back(command::SetBreakpoints{std::move(changed)});
+  }
+}
+
+void hits(const View& view, Orders& orders) {
+  const std::vector<PassedHit>& all = view.session.hits();
+  heading(view, all.empty() ? "Nothing met yet" : fmt::format("Met so far: {}", all.size()).c_str());
+  if (all.empty()) muted(view, "Continue (F5, Shift+F5) lists here where breakpoints were met.");
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(all.size()));
+  while (clipper.Step()) {
+    for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
+      const PassedHit& hit = all[static_cast<std::size_t>(k)];
+      const bool here = view.now() != nullptr && view.now()->state.tick == hit.tick;
+      ImGui::PushID(k);
+      if (ImGui::Selectable(fmt::format("{}  {}", grouped(hit.tick), hit.condition).c_str(), here))
+        orders.emplace_back(command::Seek{hit.tick});
+      ImGui::PopID();
+      note(view, fmt::format("break.hit.{}", k));
+    }
+  }
+  clipper.End();
+}
+
+}  // namespace
+
+void drawBreakpoints(const View& view, Orders& orders) {
+  const float width = ImGui::GetContentRegionAvail().x;
+  const float side = std::min(view.px(340), 0.4f * width);
+  if (ImGui::BeginChild("list", {width - side - view.px(12), 0.0f})) {
+    typed(view, orders);
+    actionButton(view, orders, Action::continue_back, Icon::none);
+    ImGui::SameLine();
+    actionButton(view, orders, Action::continue_forward, Icon::none);
+    ImGui::SameLine();
+    actionButton(view, orders, Action::first_violation, Icon::none);
+    list(view, orders);
+  }
+  ImGui::EndChild();
+  ImGui::SameLine(0.0f, view.px(12));
+  if (ImGui::BeginChild("hits", {0.0f, 0.0f})) hits(view, orders);
+  ImGui::EndChild();
+}
+
+}  // namespace triscope

@@ -1,0 +1,204 @@
+"""The debugger: timeline, why, history, breakpoints and plots, with real keys and mouse."""
+
+import unittest
+
+import harness
+from keys_test import chord
+
+
+class Debugger(harness.WindowTest):
+    def keys(self, action):
+        return [chord(k) for k in self.window.state()["keys"][action]]
+
+    def measured(self):
+        """Settled, with the measures along the whole run."""
+        self.window.settled()
+        return self.window.wait(lambda s: s["debug"]["measured"] == s["debug"]["ticks"] > 0, "the measures")
+
+    def strip(self, name="timeline"):
+        return self.window.wait(lambda s: name in s["widgets"], name)["widgets"][name][:4]
+
+    def add(self, condition):
+        """Types a condition into the panel, which is open, and presses Enter."""
+        count = len(self.window.state()["debug"]["breakpoints"])
+        self.window.click("break.condition")
+        self.window.type(condition)
+        self.window.key("Return")
+        return self.window.wait(lambda s: len(s["debug"]["breakpoints"]) == count + 1, f"the breakpoint '{condition}'")
+
+    def test_scrubbing(self):
+        end = self.measured()["tick"]
+        x, y, width, height = self.strip()
+        for part in (0.25, 0.8, 0.5):
+            self.window.press(x + part * width, y + height / 2)
+            state = self.window.wait(lambda s: abs(s["tick"] - part * end) < 0.01 * end, "the place clicked")
+            self.assertEqual(state["debug"]["ticks"], end)
+        self.window.drag(x + 0.5 * width, y + height / 2, x + 0.1 * width, y + height / 2)
+        self.window.wait(lambda s: abs(s["tick"] - 0.1 * end) < 0.01 * end, "the place dragged to")
+        self.window.drag(x + 0.1 * width, y + height / 2, x + width + 30, y + height / 2)
+        self.window.wait(lambda s: s["tick"] == end and s["activity"] == "idle", "the end")
+
+    def test_zooming_the_timeline(self):
+        end = self.measured()["tick"]
+        x, y, width, height = self.strip()
+        self.window.move(x + 0.5 * width, y + height / 2)
+        for _ in range(4):
+            self.window.xdotool("click", "4")
+        shown = self.window.wait(lambda s: 0 < s["debug"]["to"] - s["debug"]["from"] < 0.5 * end, "the zoom")["debug"]
+        self.assertTrue(shown["from"] < 0.5 * end < shown["to"])
+        self.window.press(x + 0.25 * width, y + height / 2)
+        aim = shown["from"] + 0.25 * (shown["to"] - shown["from"])
+        self.window.wait(lambda s: abs(s["tick"] - aim) < 0.01 * end, "the place clicked")
+        for _ in range(8):
+            self.window.xdotool("click", "5")
+        self.window.wait(lambda s: s["debug"]["to"] <= s["debug"]["from"], "the whole run")
+
+    def test_why_and_history(self):
+        self.window.key("2")
+        worst = self.window.wait(lambda s: s["selection"]["kind"] == "triangle", "the worst triangle")["selection"]["id"]
+        self.window.click("tab.Why")
+        state = self.window.wait(lambda s: s["debug"]["why"], "an answer")
+        self.assertTrue(state["debug"]["why_not"])
+        link = next(name for name in state["widgets"] if name.startswith("why.vertex "))
+        self.window.click("why.birth")
+        born = self.window.wait(lambda s: s["tick"] < state["tick"] and s["activity"] == "idle", "its birth")
+        self.assertFalse(born["selection"]["gone"])
+        self.assertEqual(born["selection"]["id"], worst)
+        self.window.key("Left")
+        self.window.wait(lambda s: s["selection"]["gone"], "a step back over its birth")
+        self.window.key("Right")
+        self.window.wait(lambda s: not s["selection"]["gone"], "its birth again")
+        if link in self.window.state()["widgets"]:
+            self.window.click(link)
+            self.window.wait(lambda s: s["selection"]["kind"] == "vertex", "the vertex of the link")
+        self.window.click("tab.History")
+        self.window.wait(lambda s: s["debug"]["tab"] == "History" and s["debug"]["history"], "the history")
+        before = self.window.settled()["tick"]
+        if self.window.enabled("history.next"):
+            self.window.click("history.next")
+            after = self.window.wait(lambda s: s["tick"] > before and s["activity"] == "idle", "the next event")["tick"]
+            self.window.click("history.previous")
+            self.window.wait(lambda s: s["tick"] < after and s["activity"] == "idle", "the one before")
+        for key in self.keys("why"):
+            self.window.key(key)
+            self.window.wait(lambda s: s["debug"]["tab"] == "Why", "'why'")
+
+    def test_breakpoints(self):
+        end = self.measured()["tick"]
+        for key in self.keys("breakpoints_panel"):
+            self.window.key(key)
+            self.window.wait(lambda s: s["debug"]["bottom"] == "Breakpoints", "'breakpoints_panel'")
+        self.window.click("break.condition")
+        self.window.type("aspect >> 4")
+        self.window.key("Return")
+        state = self.window.wait(lambda s: "character 9" in s["debug"]["complaint"], "the complaint")
+        self.assertIn("break.caret", state["widgets"])
+        self.assertEqual(state["debug"]["breakpoints"], [])
+        self.window.key("ctrl+a", "BackSpace")
+        self.window.wait(lambda s: s["debug"]["condition"] == "", "nothing typed")
+        state = self.add("stage == step1 and inserted")
+        self.assertEqual(state["debug"]["condition"], "")
+        self.window.key("ctrl+Home")
+        self.window.wait(lambda s: s["tick"] == 0, "the start")
+        places = []
+        for key in self.keys("continue_forward") * 3:
+            before = self.window.settled()["tick"]
+            self.window.key(key)
+            state = self.window.wait(lambda s: s["tick"] > before and s["activity"] == "idle", "'continue_forward'")
+            self.assertEqual(state["stage"], "step1")
+            self.assertRegex(state["caption"], "^Step 1 put vertex")
+            places.append(state["tick"])
+        self.assertEqual(state["debug"]["hits"], places)
+        for key in self.keys("continue_back") * 2:
+            self.window.key(key)
+            places.pop()
+            self.window.wait(lambda s: s["tick"] == places[-1] and s["activity"] == "idle", "'continue_back'")
+        for key in self.keys("next_mark"):
+            self.window.key(key)
+            there = self.window.wait(lambda s: s["tick"] > places[-1], "'next_mark'")["tick"]
+            for back in self.keys("previous_mark"):
+                self.window.key(back)
+                self.window.wait(lambda s: s["tick"] == places[-1] < there, "'previous_mark'")
+        # Off, it is passed by; a click on a hit goes there; deleted, it and its hits are gone.
+        self.window.click("break.0.enabled")
+        self.window.wait(lambda s: not s["debug"]["breakpoints"][0]["enabled"], "the breakpoint to be off")
+        self.window.key("F5")
+        self.window.wait(lambda s: s["tick"] == end and s["activity"] == "idle", "the end")
+        self.assertFalse(self.window.enabled("continue_back"))
+        self.window.click("break.hit.0")
+        self.window.wait(lambda s: s["tick"] == places[0], "the hit")
+        self.window.click("break.0.delete")
+        self.window.wait(lambda s: s["debug"]["breakpoints"] == [] and s["debug"]["hits"] == [], "nothing left")
+
+    def test_breaking_on_an_element(self):
+        self.window.key("2")
+        selected = self.window.wait(lambda s: s["selection"]["kind"] == "triangle", "the worst triangle")["selection"]
+        for key in self.keys("breakpoint"):
+            self.window.key(key)
+            state = self.window.wait(lambda s: len(s["debug"]["breakpoints"]) == 1, "'breakpoint'")
+            self.assertEqual(state["debug"]["breakpoints"][0]["condition"], f"triangle == {selected['id']}")
+            self.window.key("shift+F5")
+            self.window.wait(lambda s: s["message"].startswith("Stopped at decision"), "the last event about it")
+            self.window.key(key)
+            self.window.wait(lambda s: s["debug"]["breakpoints"] == [], "'breakpoint' again")
+
+    def test_first_violation(self):
+        for key in self.keys("first_violation"):
+            self.window.key(key)
+            self.window.wait(lambda s: "breaks a" in s["message"], "'first_violation'")
+
+    def test_bookmarks(self):
+        tick = self.measured()["tick"]
+        for key in self.keys("bookmark"):
+            self.window.key(key)
+            self.window.wait(lambda s: s["debug"]["bookmarks"] == [tick], "'bookmark'")
+            self.window.key("Prior")
+            self.window.wait(lambda s: s["tick"] < tick, "going back")
+            self.window.key("j")
+            self.window.wait(lambda s: s["tick"] == tick, "the bookmark")
+            self.window.key(key)
+            self.window.wait(lambda s: s["debug"]["bookmarks"] == [], "'bookmark' again")
+
+    def test_plots(self):
+        end = self.measured()["tick"]
+        for key in self.keys("plots_panel"):
+            self.window.key(key)
+            self.window.wait(lambda s: s["debug"]["bottom"] == "Plots", "'plots_panel'")
+        x, y, width, height = self.strip("plots.run")
+        self.window.press(x + 0.3 * width, y + height / 2)
+        self.window.wait(lambda s: abs(s["tick"] - 0.3 * end) < 0.01 * end, "the place clicked")
+        left, top, wide, high = self.window.canvas()
+        before = self.window.image().colors(left, top, wide, high)
+        x, y, width, height = self.strip("plots.bars")
+        self.window.press(x + 3, y + height - 3)
+        self.window.wait(lambda s: s["debug"]["brush"], "the bar to mark its triangles")
+        self.assertNotEqual(self.window.image().colors(left, top, wide, high), before)
+        self.window.click("plots.unmark")
+        self.window.wait(lambda s: not s["debug"]["brush"], "the marks to go")
+
+    def test_everything_has_its_place(self):
+        """At 100 % and 200 %, with each panel open: on the screen, and nothing over anything else."""
+        for scale in (1.0, 2.0):
+            while self.window.settled()["scale"] != scale:
+                self.window.key("ctrl+equal")
+            for panel, own in (("", []), ("Plots", ["plots.series", "plots.run", "plots.spread", "plots.bars"]),
+                               ("Breakpoints", ["break.condition", "break.action", "break.words"])):
+                if panel:
+                    self.window.key("ctrl+p" if panel == "Plots" else "ctrl+b")
+                state = self.window.wait(lambda s: s["debug"]["bottom"] == panel, panel)
+                names = ["canvas", "caption", "timeline", "timeline.count", "tab.Plots", "tab.Breakpoints"] + own
+                state = self.window.wait(lambda s: all(n in s["widgets"] for n in names), names)
+                for i, name in enumerate(names):
+                    x, y, width, height, _ = state["widgets"][name]
+                    self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, (scale, panel, name))
+                    for other in names[i + 1:]:
+                        a, b = state["widgets"][name], state["widgets"][other]
+                        apart = (a[0] + a[2] <= b[0] or b[0] + b[2] <= a[0] or a[1] + a[3] <= b[1] + 1
+                                 or b[1] + b[3] <= a[1] + 1)
+                        self.assertTrue(apart, (scale, panel, name, other))
+            self.window.key("ctrl+b")
+            self.window.wait(lambda s: s["debug"]["bottom"] == "", "the panel to close")
+
+
+if __name__ == "__main__":
+    unittest.main()
