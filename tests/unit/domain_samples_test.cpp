@@ -107,7 +107,7 @@ TEST(DomainSamples, AreReadAndSayWhatTheyAreFor) {
     const auto domain = readDomain(path.string());
     ASSERT_TRUE(domain.ok()) << describe(domain.error());
     const json file = json::parse(textOf(path));
-    EXPECT_EQ(domain->name, file.at("name"));
+    EXPECT_EQ(domain->name, file.at("name").get<std::string>());
     EXPECT_GT(file.at("description").get<std::string>().size(), 40u) << path;
   }
 }
