@@ -118,7 +118,7 @@ class Members {
     if (this->value(key) == nullptr) return;
     number(key, value);
     if (error_) return;
-    if (!(value >= 0.0 && value <= largest) || value != std::floor(value))
+    if (value < 0.0 || value > largest || value != std::floor(value))
       return complain(key, fmt::format("{:g}", value), fmt::format("a whole number from 0 to {:.0f}", largest));
     into = static_cast<Whole>(value);
   }

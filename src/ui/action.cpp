@@ -379,6 +379,8 @@ std::optional<Action> actionFor(int key, int mods) {
 
 bool isModifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
+bool isFunctionKey(int key) { return key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25; }
+
 bool withCtrl(int mods) { return (mods & kCtrl) != 0; }
 
 std::string_view nameOf(Menu menu) {

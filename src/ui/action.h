@@ -105,6 +105,8 @@ std::optional<Action> actionFor(int key, int mods);
 bool withCtrl(int mods);
 /// Whether a key is Shift, Ctrl, Alt or Super.
 bool isModifier(int key);
+/// F1 … F25.
+bool isFunctionKey(int key);
 
 std::string_view nameOf(Menu menu);
 /// "Ctrl+Shift+F11".

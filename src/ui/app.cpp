@@ -50,12 +50,13 @@ std::string App::start(double monitorScale) {
 }
 
 void App::onKey(int key, int mods) {
-  // While text is typed, keys without Ctrl and those that edit text are not commands; Esc always is.
+  // While text is typed, keys without Ctrl and those that edit text are not commands; Esc and F1 … F25 always are.
   if (!isModifier(key)) ++ui_.keysPressed;
   const std::optional<Action> action = actionFor(key, mods);
   if (!action) return;
   const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
-  if (ImGui::GetIO().WantTextInput && edits && *action != Action::cancel) return;
+  const bool types = edits && !isFunctionKey(key);
+  if (ImGui::GetIO().WantTextInput && types && *action != Action::cancel) return;
   pressed_.push_back(*action);
 }
 

@@ -15,9 +15,9 @@ constexpr double kLowWindow = 500.0;
 constexpr double kLowestBottom = 120.0;
 constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
-constexpr double kNarrowestCanvas = 260.0;
+constexpr double kNarrowestCanvas = 196.0;
 constexpr double kNarrowLeft = 232.0;  // room for its tabs
-constexpr double kNarrowRight = 150.0;
+constexpr double kNarrowRight = 200.0;
 constexpr double kCaptionText = 1250.0;  // a long caption on one line
 constexpr double kCaptionLine = 17.0;
 constexpr double kCaptionRest = 44.0;  // its heading and padding
@@ -73,28 +73,34 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   const bool low = static_cast<double>(window.y) < kLowWindow * ui.scale();
   const float timeline = px(low ? kLowTimeline : kTimeline);
   const float free = std::max(1.0f, status - y - timeline);
-  const float panel = ui.debug.bottom.empty() ? 0.0f : std::min(px(ui.look.bottomHeight), std::floor(0.6f * free));
+  const float panel =
+      ui.debug.bottom.empty() ? 0.0f : std::min(px(ui.look.bottomHeight), std::floor((low ? 0.5f : 0.6f) * free));
   const float border = panel > 0.0f ? splitter : 0.0f;
   const float bottom = status - timeline - panel - border;
   const float height = std::max(1.0f, bottom - y);
   const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
-  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(middle)), 2.0, 6.0);
-  const float caption = std::min(px(kCaptionRest + lines * kCaptionLine), 0.4f * height);
+  // In a low window the caption goes under everything, so that it needs few lines.
+  const float captionWidth = low ? window.x : middle;
+  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(captionWidth)), 2.0, 6.0);
+  // A panel in a low window takes the caption's place.
+  const float caption =
+      low && panel > 0.0f ? 0.0f : std::min(px(kCaptionRest + lines * kCaptionLine), std::floor(0.5f * height));
   const float x = left + splitter;
-  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.4f * height;
+  const float sides = low ? height - caption : height;
+  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.4f * sides;
   const float foot = legendFits ? legend.y : 0.0f;
   return {
       .toolbar = {{0, menu}, {window.x, toolbar}},
-      .left = {{0, y}, {left, height}},
-      .right = {{x + middle + splitter, y}, {right, height - foot}},
+      .left = {{0, y}, {left, sides}},
+      .right = {{x + middle + splitter, y}, {right, sides - foot}},
       .canvas = {{x, y}, {middle, height - caption}},
-      .caption = {{x, bottom - caption}, {middle, caption}},
+      .caption = {{low ? 0.0f : x, bottom - caption}, {captionWidth, caption}},
       .bottom = {{0, bottom + border}, {window.x, panel}},
       .timeline = {{0, status - timeline}, {window.x, timeline}},
       .status = {{0, status}, {window.x, px(kStatus)}},
-      .legend = {{x + middle + splitter, bottom - foot}, {legendFits ? right : 0.0f, foot}},
-      .leftSplitter = {{left, y}, {splitter, height}},
-      .rightSplitter = {{x + middle, y}, {splitter, height}},
+      .legend = {{x + middle + splitter, y + sides - foot}, {legendFits ? right : 0.0f, foot}},
+      .leftSplitter = {{left, y}, {splitter, sides}},
+      .rightSplitter = {{x + middle, y}, {splitter, sides}},
       .bottomSplitter = {{0, bottom}, {window.x, border}},
   };
 }

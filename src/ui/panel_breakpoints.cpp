@@ -48,30 +48,28 @@ void words(const View& view, Orders& orders) {
   ImGui::EndPopup();
 }
 
-/// What is wrong with what was typed, with a mark under the character it is about.
+/// What is wrong with what was typed, with a mark under the character it is about. The letters are not all of one
+/// width: the mark of the message, which counts characters, is put where the character is.
 void complain(const View& view, const Error& error) {
+  const std::string_view message = error.message;
+  const std::size_t caret = message.rfind("^\n");
+  const std::size_t marks = caret == std::string_view::npos ? caret : message.rfind('\n', caret);
+  const std::size_t quote = marks == std::string_view::npos || marks == 0 ? marks : message.rfind('\n', marks - 1);
   ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
-  std::string_view rest = error.message;
-  std::string quoted;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string line(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    const std::size_t caret = line.find('^');
-    const bool marks = caret != std::string::npos && line.find_first_not_of(' ') == caret && !quoted.empty();
-    if (marks) {
-      // The letters are not all of one width: the mark goes where the character is.
-      const float x = ImGui::CalcTextSize(quoted.substr(0, caret).c_str()).x;
-      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + x);
-      ImGui::TextUnformatted("^");
-      note(view, "break.caret");
-    } else {
-      ImGui::TextWrapped("%s", line.c_str());
-    }
-    quoted = line;
+  if (quote == std::string_view::npos) {
+    ImGui::TextWrapped("%s", error.message.c_str());
+  } else {
+    const std::string quoted(message.substr(quote + 1, marks - quote - 1));
+    const std::string expected = "^ " + std::string(message.substr(caret + 2));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
+    ImGui::TextUnformatted(quoted.c_str());
+    const float x = ImGui::CalcTextSize(quoted.substr(0, caret - marks - 1).c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + x);
+    ImGui::TextWrapped("%s", expected.c_str());
+    ImGui::PopStyleVar();
+    note(view, "break.caret");
   }
   ImGui::PopStyleColor();
-  note(view, "break.complaint");
 }
 
 void typed(const View& view, Orders& orders) {
@@ -83,7 +81,9 @@ void typed(const View& view, Orders& orders) {
   const bool entered = ImGui::InputTextWithHint("##condition", "aspect > 4 and stage == refine", &edit.text,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   note(view, "break.condition");
-  tip(view, "A condition: words are compared with numbers or names, and joined by and, or, not. Enter adds it.");
+  if (entered && !edit.text.empty() && !Condition::compile(edit.text)) ImGui::SetKeyboardFocusHere(-1);  // to mend it
+  if (!ImGui::IsItemActive())
+    tip(view, "A condition: words are compared with numbers or names, and joined by and, or, not. Enter adds it.");
   ImGui::SameLine();
   const bool chosen = chooseAction(view, edit.action, "break.action");
   ImGui::SameLine();

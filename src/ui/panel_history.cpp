@@ -30,15 +30,15 @@ void drawHistory(const View& view, Orders& orders) {
   ImGui::PushFont(view.fonts.title);
   std::string title = nameOf(*answers.about);
   title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  ImGui::TextUnformatted(title.c_str());
+  ImGui::TextWrapped("%s", title.c_str());
   ImGui::PopFont();
   note(view, "history.title");
   goTo(view, orders, "Previous", "history.previous", answers.previous, "The last event about it before this one",
        "no earlier event is about it.");
-  ImGui::SameLine();
+  besideIfFits("Next");
   goTo(view, orders, "Next", "history.next", answers.next, "The next event about it",
        "no later event is about it, as far as the run is known.");
-  ImGui::SameLine();
+  besideIfFits("Birth");
   goTo(view, orders, "Birth", "history.birth", answers.birth, "The event that made it", "no decision made it.");
   heading(view, "Up to this decision");
   if (answers.history.empty()) muted(view, "Nothing has happened to it yet.");

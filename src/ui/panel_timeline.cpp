@@ -215,14 +215,14 @@ void drawTimeline(const View& view, Orders& orders) {
   const Strip strip{{corner.x + left + gap, corner.y + view.px(2)},
                     {width, std::max(1.0f, room.y - view.px(4))},
                     shownRange(view.ui.debug, view.session.record())};
-  const float band = std::min(view.px(kBand), strip.size.y);
+  const bool measures = strip.size.y - view.px(kBand) > view.px(8);
+  const float band = measures ? view.px(kBand) : strip.size.y;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(strip.at, {strip.at.x + strip.size.x, strip.at.y + strip.size.y},
                      toImU32(view.theme().background));
   list.PushClipRect(strip.at, {strip.at.x + strip.size.x, strip.at.y + strip.size.y}, true);
   bands(view, strip, band);
-  if (strip.size.y - band > view.px(8))
-    worstAspect(view, strip, strip.at.y + band + view.px(1), strip.size.y - band - view.px(1));
+  if (measures) worstAspect(view, strip, strip.at.y + band + view.px(1), strip.size.y - band - view.px(1));
   list.PopClipRect();
   marks(view, strip);
   position(view, strip);

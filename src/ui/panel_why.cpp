@@ -28,12 +28,9 @@ void drawWhy(const View& view, Orders& orders) {
   ImGui::PushFont(view.fonts.title);
   std::string title = nameOf(*answers.about);
   title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  ImGui::TextUnformatted(title.c_str());
+  ImGui::TextWrapped("%s", title.c_str());
   ImGui::PopFont();
   note(view, "why.title");
-  heading(view, "Why it is here");
-  lines(view, orders, answers.why, "why");
-  if (answers.why.empty()) muted(view, "No decision up to here made it.");
   const bool there = answers.birth.has_value();
   ImGui::BeginDisabled(!there);
   if (ImGui::Button("Go to its birth")) orders.emplace_back(command::SeekEvent{answers.birth.value_or(0)});
@@ -41,6 +38,13 @@ void drawWhy(const View& view, Orders& orders) {
   note(view, "why.birth", there);
   tip(view, there ? "Goes to right after the decision that made it."
                   : "Not now: no decision made it; it belongs to the input, or to the box around everything.");
+  besideIfFits("Break on it");
+  if (ImGui::Button("Break on it")) orders.emplace_back(Action::breakpoint);
+  note(view, "why.break");
+  tip(view, std::string(infoOf(Action::breakpoint).help) + "\nKeys: " + keysOf(infoOf(Action::breakpoint)));
+  heading(view, "Why it is here");
+  lines(view, orders, answers.why, "why");
+  if (answers.why.empty()) muted(view, "No decision up to here made it.");
   if (answers.about->kind != Ref::Kind::triangle) return;
   heading(view, "Why nothing was done about it");
   lines(view, orders, answers.whyNot, "whynot");

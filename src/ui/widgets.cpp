@@ -65,6 +65,12 @@ void actionSwitch(const View& view, Orders& orders, Action action, const char* l
   tip(view, tooltipOf(info, {}));
 }
 
+void besideIfFits(const char* label) {
+  ImGui::SameLine();
+  const float width = ImGui::CalcTextSize(label).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  if (width > ImGui::GetContentRegionAvail().x) ImGui::NewLine();
+}
+
 void figure(const View& view, const char* label, const std::string& value) {
   figure(view, label, value, view.theme().text);
 }

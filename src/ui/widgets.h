@@ -21,6 +21,9 @@ void actionButton(const View& view, Orders& orders, Action action, Icon icon);
 /// A check box for an action that is a switch.
 void actionSwitch(const View& view, Orders& orders, Action action, const char* label);
 
+/// SameLine() where a button with this label still fits beside the last item; else it goes on a line of its own.
+void besideIfFits(const char* label);
+
 /// "label        value" across the width that is left, the value at the right.
 void figure(const View& view, const char* label, const std::string& value);
 void figure(const View& view, const char* label, const std::string& value, Color valueColor);

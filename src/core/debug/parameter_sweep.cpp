@@ -17,7 +17,7 @@
 namespace triscope {
 namespace {
 
-constexpr std::size_t kMostValues = 1000;
+constexpr double kMostValues = 1000.0;
 constexpr std::uint64_t kSlice = 4096;  // decisions between two looks at `cancel`
 constexpr auto kPatience = std::chrono::milliseconds(50);
 
@@ -66,12 +66,12 @@ Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view tex
         !readNumber(text.substr(first + 1, second - first - 1), to) || !readNumber(text.substr(second + 1), count))
       return noRange(key, text);
   }
-  if (!(count >= 1.0 && count <= static_cast<double>(kMostValues)) || count != std::floor(count))
-    return noRange(key, text);
+  if (count < 1.0 || count > kMostValues || count != std::floor(count)) return noRange(key, text);
   const SettingInfo* const info = findSetting(key);
   std::vector<double> values;
-  for (double k = 0.0; k < count; k += 1.0) {
-    values.push_back(count == 1.0 ? from : asTyped(((count - 1.0 - k) * from + k * to) / (count - 1.0)));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    const auto part = static_cast<double>(k);
+    values.push_back(count == 1.0 ? from : asTyped(((count - 1.0 - part) * from + part * to) / (count - 1.0)));
     Settings settings;
     if (const Status status = setSetting(settings, *info, values.back()); !status.ok()) return status.error();
   }
