@@ -2,6 +2,7 @@
 
 import json
 import os
+import pathlib
 import pty
 import select
 import signal
@@ -165,10 +166,12 @@ class NoHarm(program.ProgramTest):
 
 class Terminal(program.ProgramTest):
     def on_terminal(self, **env):
-        """Runs with stderr on a pseudo-terminal; returns what was shown there."""
+        """Runs with stderr on a pseudo-terminal, long enough for a bar; returns what was shown there."""
+        square = {"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.004,
+                  "density": [{"box": [[0, 0], [1, 1]], "length": 0.004}]}
+        pathlib.Path(self.path("square.json")).write_text(json.dumps(square), encoding="utf-8")
         master, slave = pty.openpty()
-        process = subprocess.Popen([program.PROGRAM, "mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--set",
-                                    "min_edge_length=0.05"],
+        process = subprocess.Popen([program.PROGRAM, "mesh", self.path("square.json"), "-o", self.path("a.msh")],
                                    stderr=slave, stdout=subprocess.DEVNULL, env={**os.environ, "TERM": "xterm", **env})
         os.close(slave)
         shown = b""
