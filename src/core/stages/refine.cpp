@@ -22,6 +22,7 @@ constexpr double kSharedEdgeStep = 0.1;    // of the height h of the larger tria
 // Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
 constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
 constexpr std::uint8_t kUnchanged = 128;  // since this pass began
+constexpr int kWholePasses = 6;           // the filter works everywhere in these, and near obtuse triangles in the rest
 constexpr int kPatience = 3;              // passes without fewer obtuse triangles before the stage ends
 
 thread_local MoveLog moveLog;
@@ -112,23 +113,6 @@ bool settled(const Mesh& mesh) {
                      [&](std::int32_t rim) { return (mesh.tested[at(triangleOf(rim))] & kSettled) != 0; });
 }
 
-// p0 + ω (Σ (pi - p0)) / n
-bool filtered(const Mesh& mesh, std::int32_t vertex, double omega, Point& to) {
-  if (!movable(mesh, vertex)) return false;
-  starOf(mesh, vertex, star);
-  if (!star.closed || settled(mesh)) return false;
-  const Point p = pointOf(mesh, vertex);
-  Point sum;
-  for (const std::int32_t rim : star.rim) sum = sum + (pointOf(mesh, startOf(mesh, rim)) - p);
-  to = p + (omega / static_cast<double>(star.rim.size())) * sum;
-  return true;
-}
-
-Point turned(Point p, Point about, trig::SinCos by) {
-  const Point d = p - about;
-  return about + Point{d.x * by.cos - d.y * by.sin, d.x * by.sin + d.y * by.cos};
-}
-
 // Corner with an angle above 90°, or -1.
 int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
   const Triangle& t = triangleAt(mesh, slot);
@@ -139,6 +123,34 @@ int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
     if (dot(q - p, r - p) < 0.0) return i;
   }
   return -1;
+}
+
+// True when a triangle around the vertex of `star`, or one beside those, is obtuse.
+bool nearObtuse(const Mesh& mesh) {
+  for (const std::int32_t rim : star.rim) {
+    if (obtuseCorner(mesh, triangleOf(rim)) >= 0) return true;
+    const std::int32_t across = oppositeOf(mesh, rim);
+    if (across >= 0 && obtuseCorner(mesh, triangleOf(across)) >= 0) return true;
+  }
+  return false;
+}
+
+// p0 + ω (Σ (pi - p0)) / n
+bool filtered(const Mesh& mesh, std::int32_t vertex, double omega, int pass, Point& to) {
+  if (!movable(mesh, vertex)) return false;
+  starOf(mesh, vertex, star);
+  if (!star.closed || settled(mesh)) return false;
+  if (pass > kWholePasses && !nearObtuse(mesh)) return false;
+  const Point p = pointOf(mesh, vertex);
+  Point sum;
+  for (const std::int32_t rim : star.rim) sum = sum + (pointOf(mesh, startOf(mesh, rim)) - p);
+  to = p + (omega / static_cast<double>(star.rim.size())) * sum;
+  return true;
+}
+
+Point turned(Point p, Point about, trig::SinCos by) {
+  const Point d = p - about;
+  return about + Point{d.x * by.cos - d.y * by.sin, d.x * by.sin + d.y * by.cos};
 }
 
 double twiceArea(const Mesh& mesh, std::int32_t slot) {
@@ -224,7 +236,7 @@ Outcome runLaplacian(MeshState& state, Journal& journal) {
   while (cursor.index < state.mesh.points.size()) {
     const auto vertex = static_cast<std::int32_t>(cursor.index++);
     Point to;
-    if (!filtered(state.mesh, vertex, state.settings.omega, to)) continue;
+    if (!filtered(state.mesh, vertex, state.settings.omega, state.round, to)) continue;
     return decideMove(state, journal, Rule::laplacian, kNoId, vertex, to);
   }
   return Outcome::done;
