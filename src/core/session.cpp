@@ -16,6 +16,11 @@ void Session::apply(const Command& order) {
     settings_ = change->settings;
     settingsOrder_ = orders_;
   }
+  if (const auto* load = std::get_if<command::Load>(&order)) {
+    settings_ = load->settings;
+    domain_ = load->domain;
+    settingsOrder_ = orders_;
+  }
   if (const auto* set = std::get_if<command::SetBreakpoints>(&order)) breakpoints_ = set->list;
   worker_->order(order);
 }
@@ -41,7 +46,10 @@ bool Session::poll() {
   failures_ = news->failures;
   stale_ = news->stale;
   // The worker may have spoken before it heard of the latest change.
-  if (news->ordersDone >= settingsOrder_) settings_ = news->settings;
+  if (news->ordersDone >= settingsOrder_) {
+    settings_ = news->settings;
+    domain_ = news->domain;
+  }
   return true;
 }
 

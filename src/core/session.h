@@ -49,6 +49,11 @@ struct OpenFile {
 struct OpenDomain {
   std::shared_ptr<const Domain> domain;  // already checked; meshed to the end
 };
+struct Load {
+  std::shared_ptr<const Domain> domain;  // already checked; meshed to the end …
+  Settings settings;                     // … with these
+  std::optional<std::uint64_t> tick;     // then back to so many decisions
+};
 struct Change {
   Settings
       settings;  // re-meshes from the first stage that a difference can matter to, back to the same tick or the end
@@ -83,9 +88,9 @@ struct Pause {};   // stops where the run is
 struct Cancel {};  // stops; a re-mesh not yet complete is given up for the mesh and the settings from before
 }  // namespace command
 using Command =
-    std::variant<command::OpenFile, command::OpenDomain, command::Change, command::Advance, command::Seek,
-                 command::StepBack, command::SeekEvent, command::GoTo, command::Restart, command::Play, command::Pause,
-                 command::Cancel, command::SetBreakpoints, command::Continue, command::FindViolation>;
+    std::variant<command::OpenFile, command::OpenDomain, command::Load, command::Change, command::Advance,
+                 command::Seek, command::StepBack, command::SeekEvent, command::GoTo, command::Restart, command::Play,
+                 command::Pause, command::Cancel, command::SetBreakpoints, command::Continue, command::FindViolation>;
 
 enum class Activity : std::uint8_t { idle, stepping, playing, meshing };
 
@@ -135,6 +140,8 @@ class Session {
   [[nodiscard]] bool busy() const { return progress_.activity != Activity::idle; }
   /// Settings in force or being applied.
   [[nodiscard]] const Settings& settings() const { return settings_; }
+  /// Domain in force, or being loaded; null until the first has been read.
+  [[nodiscard]] const std::shared_ptr<const Domain>& domain() const { return domain_; }
   /// Why the last command failed; cleared by the next one that starts.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   /// How many commands have failed so far: tells a new error from one seen before.
@@ -150,11 +157,12 @@ class Session {
   std::string notice_;
   Progress progress_;
   Settings settings_;
+  std::shared_ptr<const Domain> domain_;
   std::optional<Error> error_;
   std::uint64_t failures_ = 0;
   bool stale_ = false;
   std::uint64_t orders_ = 0;         // commands given
-  std::uint64_t settingsOrder_ = 0;  // the last of them that changed settings
+  std::uint64_t settingsOrder_ = 0;  // the last of them that changed settings or the domain
 };
 
 }  // namespace triscope

@@ -258,12 +258,22 @@ std::string sessionText(const SessionFile& s) {
       s.view ? fmt::format("\n  \"view\": {{\"x\": {}, \"y\": {}, \"scale\": {}}},", jsonNumber(s.view->centre.x),
                            jsonNumber(s.view->centre.y), jsonNumber(s.view->scale))
              : "";
+  const std::string savedAs = s.savedAs.empty() ? "" : fmt::format("\n  \"saved_as\": {},", quoted(s.savedAs));
   return fmt::format(
       "{{\n  \"format\": {},\n  \"version\": {:g},\n  \"domain\": {{\"file\": {}, \"text\": {}}},\n  \"settings\": "
       "{},\n"
-      "  \"tick\": {},\n  \"breakpoints\": {},\n  \"bookmarks\": {},\n  \"notes\": {},{}\n  \"hashes\": {}\n}}\n",
+      "  \"tick\": {},\n  \"breakpoints\": {},\n  \"bookmarks\": {},\n  \"notes\": {},{}{}\n  \"hashes\": {}\n}}\n",
       jsonText(kFormat), kVersion, quoted(s.domainFile), quoted(s.domainText), settingsText(s.settings), s.tick,
-      breakpoints, bookmarks, quoted(s.notes), view, hashes);
+      breakpoints, bookmarks, quoted(s.notes), view, savedAs, hashes);
+}
+
+bool isSession(std::string_view json) {
+  // Nearly every domain file is told from a session without reading it through.
+  if (json.find(kFormat) == std::string_view::npos) return false;
+  const Result<JsonValue> parsed = parseJson(json);
+  if (!parsed.ok() || parsed->object() == nullptr) return false;
+  const JsonValue* const format = find(*parsed->object(), "format");
+  return format != nullptr && format->text() != nullptr && *format->text() == kFormat;
 }
 
 Result<SessionFile> parseSession(std::string_view json, const std::string& fileName) {
@@ -284,6 +294,7 @@ Result<SessionFile> parseSession(std::string_view json, const std::string& fileN
       session.bookmarks.push_back(std::move(bookmark));
     });
     root.text("notes", session.notes);
+    root.text("saved_as", session.savedAs);
     readView(root, error, session.view);
     root.list("hashes", [&](Members& members) { readHash(members, session.hashes); });
   } else {

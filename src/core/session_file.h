@@ -48,7 +48,11 @@ struct SessionFile {
   std::string notes;
   std::optional<SavedView> view;
   std::vector<StageHash> hashes;  // of the stages passed, in order; may be empty
+  std::string savedAs;            // of work kept automatically: the session file that it goes on from, if any
 };
+
+/// Tells a session from a domain file by its content; a text that is no JSON is none.
+bool isSession(std::string_view json);
 
 std::string sessionText(const SessionFile& session);
 /// Reads a session. Errors say which member is wrong, and what is expected there. The domain's own text is checked when

@@ -37,6 +37,7 @@ void SessionWorker::carryOut(const Command& order) {
         w.fail(domain.error());
     }
     void operator()(const command::OpenDomain& c) const { w.open(c.domain); }
+    void operator()(const command::Load& c) const { w.load(c); }
     void operator()(const command::Change& c) const { w.change(c.settings); }
     void operator()(const command::Advance& c) const { w.headFor(c.grain); }
     void operator()(const command::Seek& c) const { w.seek(c.tick); }
@@ -53,8 +54,8 @@ void SessionWorker::carryOut(const Command& order) {
     void operator()(const command::Pause&) const { w.halt(); }
     void operator()(const command::Cancel&) const { w.cancel(); }
   };
-  const bool opens =
-      std::holds_alternative<command::OpenFile>(order) || std::holds_alternative<command::OpenDomain>(order);
+  const bool opens = std::holds_alternative<command::OpenFile>(order) ||
+                     std::holds_alternative<command::OpenDomain>(order) || std::holds_alternative<command::Load>(order);
   const bool always = opens || std::holds_alternative<command::SetBreakpoints>(order);
   if (!loaded_ && !always)
     publishProgress();  // nothing to work on yet
@@ -67,6 +68,11 @@ void SessionWorker::open(std::shared_ptr<const Domain> domain) {
   Settings settings = state_.settings;
   settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
   if (startOver(std::move(domain), settings)) head({.kind = Goal::Kind::end}, Activity::meshing);
+}
+
+void SessionWorker::load(const command::Load& what) {
+  keepBackup();
+  if (startOver(what.domain, what.settings)) head({.kind = Goal::Kind::end, .then = what.tick}, Activity::meshing);
 }
 
 void SessionWorker::change(const Settings& settings) {

@@ -124,7 +124,10 @@ void SessionWorker::slice() {
   }
   if (reached()) {
     if (goal_.kind == Goal::Kind::breakpoint && !stopped_) notice_ = "No breakpoint was met before the end of the run.";
-    return halt();
+    const std::optional<std::uint64_t> then = goal_.then;
+    halt();
+    if (then) seek(*then);
+    return;
   }
   const auto now = Clock::now();
   const auto patience = goal_.kind == Goal::Kind::play ? kFrame : kLongStep;
@@ -254,6 +257,7 @@ Publication& SessionWorker::outbox() {
   progress_.seconds = std::chrono::duration<double>(Clock::now() - goalSince_).count();
   news.progress = progress_;
   news.settings = state_.settings;
+  news.domain = state_.domain;
   news.ordersDone = ordersDone_;
   news.error = error_;
   news.failures = failures_;

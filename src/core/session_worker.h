@@ -26,6 +26,7 @@ struct Publication {
   std::string notice;
   Progress progress;
   Settings settings;             // in force
+  std::shared_ptr<const Domain> domain;
   std::uint64_t ordersDone = 0;  // commands that had been taken up by then
   std::optional<Error> error;
   std::uint64_t failures = 0;
@@ -68,6 +69,7 @@ class SessionWorker {
     std::size_t vertices = 0;  // insertion: how many there were
     std::uint64_t tick = 0;    // tick: where to stop; entry: decisions before it, kUnknown when not known
     double rate = 0.0;         // play: decisions per second
+    std::optional<std::uint64_t> then = std::nullopt;  // end: decisions to go back to from there
   };
 
   /// The state at the first entry into a stage, to go back to. The settings in it are not to be used: those in force
@@ -97,6 +99,7 @@ class SessionWorker {
   void loop();
   void carryOut(const Command& command);
   void open(std::shared_ptr<const Domain> domain);
+  void load(const command::Load& what);
   void change(const Settings& settings);
   void seek(std::uint64_t tick);
   void seekEntry(const StageEntry& entry);

@@ -30,6 +30,7 @@ SessionFile sample() {
                    breakpoint("in(-1, -1, 2.5, 1)", Breakpoint::Action::stop, true)};
   s.bookmarks = {{17, "here\nit turns"}, {0, ""}};
   s.notes = "ω is too large?\t\\";
+  s.savedAs = "/home/a \\ b/one.session";
   s.view = SavedView{{0.1, -3e-7}, 12.75};
   s.hashes = {{Stage::constraints, 0, 12, 0xffffffffffffffffull}, {Stage::step5, 3, 999, 1}};
   return s;
@@ -48,6 +49,7 @@ void expectSame(const SessionFile& a, const SessionFile& b) {
   }
   EXPECT_EQ(a.bookmarks, b.bookmarks);
   EXPECT_EQ(a.notes, b.notes);
+  EXPECT_EQ(a.savedAs, b.savedAs);
   EXPECT_EQ(a.view, b.view);
   EXPECT_EQ(a.hashes, b.hashes);
 }
@@ -191,6 +193,16 @@ TEST(SessionFile, HashesAreThoseOfTheStagesPassed) {
     EXPECT_EQ(upTo.back().tick, all[k].tick);
     EXPECT_EQ(stageHashes(support::start(domain), ~std::uint64_t{0}, k, always).size(), k);
   }
+}
+
+TEST(SessionFile, IsToldFromADomainByItsContent) {
+  EXPECT_TRUE(isSession(sessionText(sample())));
+  EXPECT_TRUE(isSession(R"({"format": "triscope session"})"));
+  EXPECT_FALSE(isSession(support::kFrame));
+  EXPECT_FALSE(isSession(R"({"name": "triscope session", "outer": [[0, 0], [1, 0], [0, 1]]})"));
+  EXPECT_FALSE(isSession(R"(["format", "triscope session"])"));
+  EXPECT_FALSE(isSession(R"({"format": "triscope session")"));
+  EXPECT_FALSE(isSession(""));
 }
 
 }  // namespace

@@ -165,9 +165,9 @@ TEST(Session, ACancelledChangeKeepsMeshSettingsAndTheWayBack) {
 
 TEST(Session, PlayingMakesProgressUntilItIsPaused) {
   Session session;
-  doNow(session, command::OpenDomain{square(0.25)});
+  doNow(session, command::OpenDomain{square(0.03)});
   doNow(session, command::Restart{});
-  session.apply(command::Play{500.0});
+  session.apply(command::Play{200.0});
   while (session.current()->state.tick < 20) {
     session.settle(std::chrono::milliseconds(5));
     ASSERT_EQ(session.progress().activity, Activity::playing);
@@ -312,6 +312,41 @@ TEST(Session, ACancelledChangeKeepsTheKeyframesOfTheOldRun) {
   if (session.settings() != settings) {  // not yet complete when it was cancelled
     EXPECT_EQ(hashOf(doNow(session, command::Seek{end - 3}).state), there);
     EXPECT_EQ(measured(session).ticks, end);
+  }
+}
+
+TEST(Session, LoadsADomainWithSettingsAtAPlace) {
+  const auto domain = square(0.5);
+  Settings settings;
+  settings.omega = 0.1;
+  const MeshState expected = straightRun(domain, settings, nullptr);
+  Session session;
+  doNow(session, command::OpenDomain{square(1.0)});
+  session.apply(command::Load{domain, settings, 40});
+  EXPECT_EQ(session.domain(), domain);
+  EXPECT_EQ(session.settings(), settings);
+  EXPECT_TRUE(session.settle(kForever));
+  EXPECT_EQ(session.current()->state.tick, 40u);
+  EXPECT_EQ(session.current()->state.domain, domain);
+  EXPECT_EQ(session.record().ticks, expected.tick);
+  EXPECT_TRUE(session.record().complete);
+  EXPECT_EQ(hashOf(doNow(session, command::Seek{expected.tick + 1}).state), hashOf(expected));
+  // Without a place it is the end.
+  EXPECT_EQ(hashOf(doNow(session, command::Load{domain, settings, std::nullopt}).state), hashOf(expected));
+}
+
+TEST(Session, ACancelledLoadKeepsTheDomainFromBefore) {
+  const auto before = square(0.5);
+  const auto after = square(0.05);
+  Session session;
+  const std::uint64_t hash = hashOf(doNow(session, command::OpenDomain{before}).state);
+  session.apply(command::Load{after, session.settings(), std::nullopt});
+  session.apply(command::Cancel{});
+  EXPECT_EQ(session.domain(), after);  // the worker has not spoken yet
+  EXPECT_TRUE(session.settle(kForever));
+  ASSERT_EQ(session.domain(), session.current()->state.domain);
+  if (session.domain() == before) {
+    EXPECT_EQ(hashOf(session.current()->state), hash);
   }
 }
 

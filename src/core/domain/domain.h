@@ -30,11 +30,14 @@ struct DensityRequest {
   int rank = 0;         // density rank >= 1, or 0 when a length is given
   double length = 0.0;  // edge length > 0, or 0 when a rank is given
   std::string name;     // label shown to the user, may be empty
+  std::string description;
+  friend bool operator==(const DensityRequest&, const DensityRequest&) = default;
 };
 
 struct Domain {
   std::string name;
   std::string file;            // where it was read from, empty when made in memory
+  std::string text;            // the domain file itself, empty when made in memory
   double minEdgeLength = 0.0;  // the paper's Δx; 0: derive it from the geometry
   std::vector<Loop> loops;     // loops[0] is the outer one
   std::vector<Curve> curves;

@@ -130,7 +130,10 @@ Result<Domain> readDomain(const std::string& path) {
 
 Result<Domain> parseDomain(std::string_view json, const std::string& fileName) {
   auto domain = parse(json, fileName);
-  if (domain) return domain;
+  if (domain) {
+    domain->text = json;
+    return domain;
+  }
   Error error = domain.error();
   error.file = fileName;
   return error;

@@ -125,6 +125,9 @@ Result<DensityRequest> readRequest(const JsonValue& value, int number, const Dom
   const auto name = readText(*object, "name", place, "");
   if (!name) return name.error();
   request.name = *name;
+  const auto description = readText(*object, "description", place, "");
+  if (!description) return description.error();
+  request.description = *description;
   if (!name->empty()) place.loop = *name;
   if (auto status = checkKeys(*object, kKeys, place); !status) return status.error();
 
