@@ -1,10 +1,10 @@
 // The window's state and what changes it: panels draw from a View and return orders, and this carries them out.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +55,12 @@ class App {
   [[nodiscard]] Color surface() const { return themeOf(ui_.look.theme).surface; }
 
  private:
+  /// A control for a parameter is held and moved.
+  struct Tuning {
+    Settings before;
+    bool cancelled = false;
+  };
+
   [[nodiscard]] View view();
   void drawRegions(const Layout& layout, const View& view, Orders& orders);
   void drawBottom(const Layout& layout, const View& view, Orders& orders);
@@ -71,6 +77,9 @@ class App {
   void apply(const Command& command);
   void change(const Settings& settings);
   void changeWithoutUndo(const Settings& settings);
+  void tune(const Settings& settings);
+  void endTuning();
+  void cancelTuning();
   void select(const Pick& pick);
   void showWorst(std::int32_t slot, std::int32_t other);
   void frameBox(const Box& box, double marginAt100);
@@ -119,7 +128,7 @@ class App {
   std::uint64_t failuresSeen_ = 0;
   bool closing_ = false;
   std::uint64_t frames_ = 0;
-  std::chrono::steady_clock::time_point lastChange_{};
+  std::optional<Tuning> tuning_;  // while a control for a parameter is held
 };
 
 }  // namespace triscope

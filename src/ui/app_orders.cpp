@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
@@ -17,8 +18,6 @@ using std::chrono::milliseconds;
 
 // A step that takes longer than this is shown when it is done; until then the window goes on.
 constexpr auto kPatience = milliseconds(40);
-// Changes that follow each other this closely are one drag, and one step of undo.
-constexpr auto kOneDrag = milliseconds(700);
 
 bool isPicture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
@@ -40,6 +39,8 @@ void App::carryOut(const Order& order) {
     void operator()(const Appearance& look) const { app.ui_.look = look; }
     void operator()(const order::SelectElement& o) const { app.select(o.pick); }
     void operator()(const order::Frame& o) const { app.frameBox(o.box, 0.0); }
+    void operator()(const order::Tune& o) const { app.tune(o.settings); }
+    void operator()(const order::EndTuning&) const { app.endTuning(); }
     void operator()(const order::SetSpeed& o) const {
       app.ui_.speed = o.decisionsPerSecond;
       if (app.session_.progress().activity == Activity::playing)
@@ -77,11 +78,28 @@ void App::apply(const Command& command) {
 }
 
 void App::change(const Settings& settings) {
-  const auto now = std::chrono::steady_clock::now();
-  if (now - lastChange_ > kOneDrag) ui_.undo.push_back(session_.settings());
+  ui_.undo.push_back(session_.settings());
   ui_.redo.clear();
-  lastChange_ = now;
   changeWithoutUndo(settings);
+}
+
+void App::tune(const Settings& settings) {
+  if (!tuning_) tuning_ = Tuning{session_.settings()};
+  if (!tuning_->cancelled) changeWithoutUndo(settings);
+}
+
+void App::endTuning() {
+  const std::optional<Tuning> tuned = std::exchange(tuning_, std::nullopt);
+  if (!tuned || session_.settings() == tuned->before) return;
+  ui_.undo.push_back(tuned->before);
+  ui_.redo.clear();
+}
+
+void App::cancelTuning() {
+  tuning_->cancelled = true;  // what the control says until it is let go is passed over
+  const bool shown = session_.stale() && session_.current()->state.settings == tuning_->before;
+  if (shown) return apply(command::Cancel{});
+  if (session_.settings() != tuning_->before) changeWithoutUndo(tuning_->before);
 }
 
 void App::changeWithoutUndo(const Settings& settings) {
@@ -233,6 +251,8 @@ void App::toggle(Action action) {
 void App::cancel() {
   if (ui_.dialog != Dialog::none)
     ui_.dialog = Dialog::none;
+  else if (tuning_ && !tuning_->cancelled)
+    cancelTuning();
   else if (session_.busy())
     apply(command::Cancel{});
   else if (ui_.selected.selection.kind != Selection::Kind::none)

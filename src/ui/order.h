@@ -32,6 +32,10 @@ struct SelectElement {
 struct Frame {
   Box box;  // to be shown whole
 };
+struct Tune {
+  Settings settings;  // while a control is held: each takes the place of the last, and all are one step of undo
+};
+struct EndTuning {};  // it was let go
 struct SetSpeed {
   double decisionsPerSecond = 60.0;
 };
@@ -60,9 +64,10 @@ struct ShowPlot {
 };
 }  // namespace order
 
-using Order = std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame,
-                           order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog, order::FollowLink,
-                           order::ShowRange, order::TypeCondition, order::AddBreakpoint, order::ShowPlot>;
+using Order =
+    std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame, order::Tune,
+                 order::EndTuning, order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog,
+                 order::FollowLink, order::ShowRange, order::TypeCondition, order::AddBreakpoint, order::ShowPlot>;
 using Orders = std::vector<Order>;
 
 }  // namespace triscope

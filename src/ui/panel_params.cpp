@@ -74,6 +74,8 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   const std::string name = "param." + std::string(info.key);
   ImGui::PushID(info.key.data());
   bool changed = false;
+  bool held = false;  // by the control for numbers, which says when it is let go
+  bool letGo = false;
   double value = before;
   const Span span = spanOf(info, state);
 
@@ -89,7 +91,8 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     const bool automatic = isLength(info) && before == 0.0;
     if (automatic && state != nullptr) value = state->minEdge;
     ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(92)));
-    changed = number(info, value, span);
+    held = changed = number(info, value, span);
+    letGo = ImGui::IsItemDeactivated();
     note(view, name);
     tip(view, helpOf(info, span));
     const std::string unit = automatic ? "auto" : std::string(info.unit);
@@ -102,6 +105,7 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     ImGui::SameLine(ImGui::GetContentRegionMax().x - view.px(26));
     if (ImGui::SmallButton("\xE2\x86\xBA")) {
       changed = true;
+      held = false;
       value = standard;
     }
     note(view, name + ".reset");
@@ -115,7 +119,13 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
   }
-  if (changed && value != before && setSetting(settings, info, value)) orders.emplace_back(command::Change{settings});
+  if (changed && value != before && setSetting(settings, info, value)) {
+    if (held)
+      orders.emplace_back(order::Tune{settings});
+    else
+      orders.emplace_back(command::Change{settings});
+  }
+  if (letGo) orders.emplace_back(order::EndTuning{});
   ImGui::PopID();
 }
 

@@ -177,6 +177,22 @@ class Window:
         if modifier:
             self.xdotool("keyup", modifier)
 
+    def hold(self, x, y):
+        """Presses the button and keeps it down."""
+        self.move(x, y)
+        self.xdotool("mousedown", "1")
+        time.sleep(0.12)
+
+    def release(self):
+        before = self.state()["buttons_released"]
+        self.xdotool("mouseup", "1")
+        self.wait(lambda s: s["buttons_released"] > before, "the mouse to be heard")
+
+    def widget_box(self, name):
+        """Left, top, width, height of a widget that stays in its place."""
+        self.widget(name)
+        return self.state()["widgets"][name][:4]
+
     def widget(self, name):
         """Middle of a widget, once it is there and stays in its place."""
         place = None

@@ -100,6 +100,45 @@ class Parameters(harness.WindowTest):
         window.click("param.omega.reset")
         window.wait(lambda s: s["hash"] == start["hash"], "the default again")
 
+    def test_a_drag_is_followed_and_is_one_step_of_undo(self):
+        window = self.window
+        start = window.settled()
+        window.click("tab.Params")
+        x, y, width, height = window.widget_box("param.omega")
+        places = [x + part * width for part in (0.25, 0.5, 0.75)]
+        seen = []
+        window.hold(places[0], y + height / 2)
+        for place in places:
+            window.move(place, y + height / 2)
+            last = seen[-1]["settings"]["omega"] if seen else 0.0
+            window.wait(lambda s: s["settings"]["omega"] > last + 0.1, "omega to follow")
+            seen.append(window.settled())
+        window.release()
+        self.assertEqual(len({s["hash"] for s in [start] + seen}), 4, "each place has a mesh of its own")
+        window.key("ctrl+z")
+        window.wait(lambda s: s["settings"] == start["settings"] and s["hash"] == start["hash"], "one undo for the drag")
+        window.key("ctrl+z")
+        window.wait(lambda s: s["message"] == "No parameter has been changed.", "nothing more to undo")
+        window.key("ctrl+y")
+        window.wait(lambda s: s["hash"] == seen[-1]["hash"], "the drag again")
+
+    def test_escape_gives_a_drag_up(self):
+        window = self.window
+        start = window.settled()
+        window.click("tab.Params")
+        x, y, width, height = window.widget_box("param.theta")
+        window.hold(x + 0.4 * width, y + height / 2)
+        window.move(x + 0.8 * width, y + height / 2)
+        window.wait(lambda s: s["settings"]["theta"] > 20 and s["activity"] == "idle", "a larger theta")
+        window.xdotool("key", "Escape")  # key() would let the button go
+        window.wait(lambda s: s["settings"] == start["settings"] and s["hash"] == start["hash"], "everything as before")
+        window.move(x + 0.6 * width, y + height / 2)  # still held: nothing more is to come of it
+        self.assertEqual(window.settled()["settings"], start["settings"])
+        window.release()
+        self.assertEqual(window.settled()["hash"], start["hash"])
+        window.key("ctrl+z")
+        window.wait(lambda s: s["message"] == "No parameter has been changed.", "nothing to undo")
+
     def test_smallest_edge(self):
         window = self.window
         start = window.settled()
