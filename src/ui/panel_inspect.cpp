@@ -165,9 +165,9 @@ void inspectEdge(const View& view, Orders& orders, const MeshState& state, const
 
 void inspectCell(const View& view, const MeshState& state, std::int32_t index) {
   const Cell& cell = state.tree.cells[at(index)];
-  figure(view, "cell rank j", std::to_string(cell.rank));
+  figure(view, "cell rank j", fmt::format("{}", cell.rank));
   figure(view, "side", compact(state.tree.side(cell), 4));
-  figure(view, "density rank i", std::to_string(cell.density));
+  figure(view, "density rank i", fmt::format("{}", cell.density));
   figure(view, "edge length h", compact(state.minEdge * rankLength(cell.density), 4));
   figure(view, "type", std::string(name(cell.type)));
   figure(view, "triangles by Table 1", compact(trianglesInCell(cell.rank, cell.density)));

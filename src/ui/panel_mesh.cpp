@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 
 #include "render/number.h"
 #include "ui/panels.h"
@@ -19,6 +20,11 @@ struct Row {
   std::optional<Action> show;
 };
 
+void drawEstimate(const View& view, const MeshState& state) {
+  if (state.estimatedTriangles <= 0.0) return;
+  figure(view, "estimate by Table 1", grouped(static_cast<std::uint64_t>(std::llround(state.estimatedTriangles))));
+}
+
 }  // namespace
 
 void drawMeshFigures(const View& view, Orders& orders) {
@@ -26,14 +32,12 @@ void drawMeshFigures(const View& view, Orders& orders) {
   const Snapshot* const now = view.now();
   if (now == nullptr || now->quality.triangles == 0) {
     muted(view, "There are no triangles yet.");
-    if (now != nullptr && now->state.estimatedTriangles > 0.0)
-      figure(view, "estimate by Table 1", grouped(static_cast<std::uint64_t>(now->state.estimatedTriangles + 0.5)));
+    if (now != nullptr) drawEstimate(view, now->state);
     return;
   }
   const Quality& q = now->quality;
   figure(view, "triangles", grouped(q.triangles));
-  if (now->state.estimatedTriangles > 0.0)
-    figure(view, "estimate by Table 1", grouped(static_cast<std::uint64_t>(now->state.estimatedTriangles + 0.5)));
+  drawEstimate(view, now->state);
   figure(view, "vertices", grouped(q.vertices));
   figure(view, "boundary vertices", grouped(q.boundaryVertices));
   figure(view, "obtuse",

@@ -84,7 +84,9 @@ void dashedLine(const View& view, ImVec2 a, ImVec2 b, Color color) {
   const float length = std::hypot(b.x - a.x, b.y - a.y);
   const float dash = view.px(6);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  for (float s = 0.0f; s < length; s += 2.0f * dash) {
+  const int dashes = static_cast<int>(std::ceil(length / (2.0f * dash)));
+  for (int k = 0; k < dashes; ++k) {
+    const float s = 2.0f * dash * static_cast<float>(k);
     const float e = std::min(s + dash, length);
     list.AddLine({a.x + (b.x - a.x) * s / length, a.y + (b.y - a.y) * s / length},
                  {a.x + (b.x - a.x) * e / length, a.y + (b.y - a.y) * e / length}, toImU32(color), view.px(1.5));

@@ -210,6 +210,7 @@ TEST_P(EventsOf, AccountForEveryChange) {
     for (const std::uint32_t id : before) gone += after.count(id) == 0 ? 1 : 0;
     if (events.size() == 1 && events.front().removedCount > 0 && !was.mesh.points.empty()) {
       EXPECT_EQ(events.front().removedCount, gone) << name(events.front().kind);
+      EXPECT_EQ(events.front().createdCount, fresh) << name(events.front().kind);
     }
     before = after;
   });

@@ -223,11 +223,11 @@ TEST_P(TreeOf, CoversTheRootOnce) {
   EXPECT_EQ(area, std::pow(4.0, state.tree.cells[0].rank - 1));
   for (const Cell& cell : state.tree.cells) {
     if (cell.child < 0) continue;
-    for (std::int32_t k = 0; k < 4; ++k) {
-      const Cell& child = cellAt(state.tree, cell.child + k);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      const Cell& child = cellAt(state.tree, cell.child + static_cast<std::int32_t>(k));
       EXPECT_EQ(child.rank + 1, cell.rank);
-      EXPECT_EQ(child.x, cell.x + (k % 2) * sideOf(child));
-      EXPECT_EQ(child.y, cell.y + static_cast<std::uint32_t>(k / 2) * sideOf(child));
+      EXPECT_EQ(child.x, cell.x + k % 2 * sideOf(child));
+      EXPECT_EQ(child.y, cell.y + k / 2 * sideOf(child));
     }
   }
 }
