@@ -26,6 +26,10 @@ inline std::string jsonText(std::string_view text) {
 }
 
 /// Shortest text that reads back as the same double; null for what JSON has no number for.
-inline std::string jsonNumber(double value) { return std::isfinite(value) ? fmt::format("{}", value) : "null"; }
+inline std::string jsonNumber(double value) {
+  if (!std::isfinite(value)) return "null";
+  if (value == 0.0 && std::signbit(value)) return "-0.0";  // "-0" is read as a whole number, which has no such zero
+  return fmt::format("{}", value);
+}
 
 }  // namespace triscope
