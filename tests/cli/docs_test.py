@@ -1,4 +1,4 @@
-"""The examples of docs/debugging.md: they run, exit as they say, and print what they show.
+"""The examples of docs/debugging.md run, exit as they say, and print what they show; those of README.md run.
 
 An ellipsis stands for any text, on a line of its own for any lines. Figures and ids are not compared: they are those of
 one version of the method, and other tests hold them.
@@ -9,16 +9,21 @@ import re
 import shlex
 
 import program
-from program import SOURCE, run
+from program import OK, SOURCE, STEP, run
 
 NUMBER = re.compile(r"-?\b\d+(\.\d+)?([eE][-+]?\d+)?\b")
 
 
-def examples(text):
-    """(arguments, exit code, expected output) of each indented block that begins with "$ triscope"."""
+def blocks(text):
+    """The lines of each indented block."""
     for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", text, re.MULTILINE):
         lines = [line[4:] for line in block.splitlines()]
-        lines = lines[next((k for k, line in enumerate(lines) if line), 0):]
+        yield lines[next((k for k, line in enumerate(lines) if line), 0):]
+
+
+def examples(text):
+    """(arguments, exit code, expected output) of each indented block that begins with "$ triscope"."""
+    for lines in blocks(text):
         if not lines or not lines[0].startswith("$ triscope "):
             continue
         command, _, comment = lines[0].partition("  # exits ")
@@ -33,12 +38,19 @@ def pattern(expected):
     return re.compile("".join(parts))
 
 
-class Docs(program.ProgramTest):
-    def test_every_example(self):
+class InFolder(program.ProgramTest):
+    """Commands name files of the folder of the test and of assets/."""
+
+    def setUp(self):
+        super().setUp()
         os.symlink(SOURCE / "assets", self.folder / "assets")
         before = os.getcwd()
         os.chdir(self.folder)
         self.addCleanup(os.chdir, before)
+
+
+class Docs(InFolder):
+    def test_every_example(self):
         text = (SOURCE / "docs" / "debugging.md").read_text(encoding="utf-8")
         count = 0
         for arguments, code, expected in examples(text):
@@ -54,6 +66,37 @@ class Docs(program.ProgramTest):
         self.assertTrue(pattern("a 1\n…\nb … c").fullmatch(NUMBER.sub("#", "a 5.5\nx\ny\nb 7 or so c\n")))
         self.assertFalse(pattern("a 1\nb").fullmatch("a #\nc\n"))
         self.assertFalse(pattern("a").fullmatch("a\nb\n"))
+
+
+class Readme(InFolder):
+    """Every command that needs no display: what is in capitals stands for a file, what is in brackets may be left out."""
+
+    FILES = {"DOMAIN": STEP, "MESH": "OUT.msh", "FILE": "session.json"}
+
+    def commands(self):
+        for lines in self.blocks:
+            for line in lines:
+                line = re.split(r"\s+#|\s+&&", line)[0]
+                if re.match(r"triscope [a-z]", line):
+                    yield line
+
+    def setUp(self):
+        super().setUp()
+        self.blocks = list(blocks((SOURCE / "README.md").read_text(encoding="utf-8")))
+
+    def test_every_command(self):
+        domain = next("\n".join(lines).split("\n\n")[0] for lines in self.blocks if lines[0] == "{")
+        self.write("plate.json", domain)
+        self.expect(OK, run("debug", STEP, "--save-session", "session.json"))
+        seen = set()
+        for command in self.commands():
+            for line in {re.sub(r" *\[.*?\]", "", command), re.sub(r"[][]", "", command)}:
+                arguments = [self.FILES.get(word, word) for word in shlex.split(line)[1:]]
+                with self.subTest(line):
+                    self.expect(OK, run(*arguments))
+                seen.add(arguments[0])
+        self.assertEqual(seen, {"mesh", "check", "figure", "debug", "sweep", "replay", "settings"})
+        self.assertTrue((self.folder / "plate.msh").exists())
 
 
 if __name__ == "__main__":

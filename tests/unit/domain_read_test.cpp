@@ -110,6 +110,13 @@ TEST(DomainRead, BoundsHoldTheCurvesNotOnlyTheirPoints) {
   EXPECT_NEAR(domain.bounds.hi.y, 5.0, 1e-12);
 }
 
+TEST(DomainRead, TheCentreMayBeSpeltCenter) {
+  const Domain domain = parse(R"({"outer": {"kind": "circle", "center": [1, 2], "radius": 3}})");
+  const Domain same = parse(R"({"outer": {"kind": "circle", "centre": [1, 2], "radius": 3}})");
+  EXPECT_EQ(domain.curves[0].centre, same.curves[0].centre);
+  EXPECT_EQ(domain.curves[0].radius, same.curves[0].radius);
+}
+
 TEST(DomainRead, SplinesAreSplitAtTheirCorners) {
   const std::string points = R"("points": [[0,0],[3,-0.3],[6,0],[6,3],[6,6],[3,6.3],[0,6],[0,3]])";
   const auto curvesWith = [&](const std::string& corners) {

@@ -117,13 +117,22 @@ Status readSpline(const Reading& reading) {
   return corners ? addSplines(*run, *corners, reading.draft) : Status(corners.error());
 }
 
+/// "centre", or "center" for those who spell it so.
+Result<Point> readCentre(const Reading& reading) {
+  const JsonValue* american = find(reading.object, "center");
+  if (american == nullptr) {
+    const auto centre = require(reading.object, "centre", reading.place);
+    return centre ? readPoint(**centre, "\"centre\"", reading.place, -1) : centre.error();
+  }
+  if (find(reading.object, "centre") == nullptr) return readPoint(*american, "\"center\"", reading.place, -1);
+  return complaint(reading.place, "\"centre\" and \"center\" are given together", "keep one: they mean the same");
+}
+
 Status readCircle(const Reading& reading) {
-  const auto centre = require(reading.object, "centre", reading.place);
-  if (!centre) return centre.error();
+  const auto middle = readCentre(reading);
+  if (!middle) return middle.error();
   const auto radius = require(reading.object, "radius", reading.place);
   if (!radius) return radius.error();
-  const auto middle = readPoint(**centre, "\"centre\"", reading.place, -1);
-  if (!middle) return middle.error();
   const auto reach = readPositive(**radius, "radius", reading.place);
   if (!reach) return reach.error();
   reading.draft.domain.curves.push_back(makeCircle(*middle, *reach));
@@ -159,7 +168,7 @@ constexpr std::array<Kind, 7> kKinds{{{"polygon", true, false, false, {"points"}
                                       {"line", false, false, true, {"points"}, readPolygon},
                                       {"arc", false, false, true, {"points"}, readArc},
                                       {"spline", true, true, true, {"points", "corners", "corner_turn"}, readSpline},
-                                      {"circle", true, false, false, {"centre", "radius"}, readCircle},
+                                      {"circle", true, false, false, {"centre", "radius", "center"}, readCircle},
                                       {"pieces", true, true, false, {"pieces"}, readPieces}}};
 
 bool allows(const Kind& kind, const Reading& reading) {
