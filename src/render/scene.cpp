@@ -42,6 +42,8 @@ Key runKey(const MeshState& state, const ViewOptions& options) {
     for (const char c : state.domain->name) key << c;
     for (const char c : state.domain->file) key << c;
     for (const Curve& curve : state.domain->curves) key << curve.a;
+    for (const DensityRequest& request : state.domain->density)
+      key << request.at << request.to << request.rank << request.length;
   }
   key << options.theme << options.scale << options.dimmed;
   return key;
@@ -72,7 +74,7 @@ void dim(Layer& layer) {
 }
 
 std::array<std::uint64_t, kLayerCount> layerKeys(const MeshState& state, const ViewOptions& o, const Event* current,
-                                                 const Quality* quality) {
+                                                 const Quality* quality, const InsertionView* insertion) {
   const Key run = runKey(state, o);
   const Key mesh = meshKey(run, state);
   std::array<std::uint64_t, kLayerCount> keys{};
@@ -104,6 +106,8 @@ std::array<std::uint64_t, kLayerCount> layerKeys(const MeshState& state, const V
   decision << o.decision << o.labels << (current != nullptr);
   if (current != nullptr)
     decision << current->kind << current->subject << current->vertex << current->created << current->at;
+  decision << (insertion != nullptr);
+  if (insertion != nullptr) decision << insertion->phase << insertion->insertion->event.vertex;
   set(LayerId::decision, decision);
 
   Key worst = mesh;
@@ -133,7 +137,7 @@ DashPattern patternOf(Dash dash) {
 }
 
 void updateScene(Scene& scene, const MeshState& state, const ViewOptions& options, const Event* current,
-                 const Quality* quality) {
+                 const Quality* quality, const InsertionView* insertion) {
   scene.theme = themeOf(options.theme);
   scene.bounds = state.domain ? state.domain->bounds : Box{};
   scene.origin = scene.bounds.empty() ? Point{} : midpoint(scene.bounds.lo, scene.bounds.hi);
@@ -143,8 +147,8 @@ void updateScene(Scene& scene, const MeshState& state, const ViewOptions& option
       detail::buildCells,    detail::buildMesh,   detail::buildBoundary,
       detail::buildPoints,   detail::buildFronts, detail::buildConstraints,
       detail::buildDecision, detail::buildWorst,  detail::buildSelection};
-  const detail::SceneInput in{state, options, scene.theme, current, quality};
-  const auto keys = layerKeys(state, options, current, quality);
+  const detail::SceneInput in{state, options, scene.theme, current, quality, insertion};
+  const auto keys = layerKeys(state, options, current, quality, insertion);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     Layer& layer = scene.layers[i];
     if (layer.key == keys[i]) continue;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/debug/insertion.h"
 #include "core/event.h"
 #include "core/quality/quality.h"
 #include "core/state.h"
@@ -145,11 +146,18 @@ struct Scene {
   [[nodiscard]] const Layer& layer(LayerId id) const { return layers[static_cast<std::size_t>(id)]; }
 };
 
+/// One phase of an insertion that is taken apart; `state` is then the one before it.
+struct InsertionView {
+  const Insertion* insertion = nullptr;
+  InsertionPhase phase = InsertionPhase::candidate;
+};
+
 /// Brings `scene` up to date with `state`; layers whose content is the same are left alone.
 /// `current` is the decision that led to `state` (null: none shown); `quality` is measure(state.mesh), or null when
-/// it is not known: then the circles and the figures of the legend are left out.
+/// it is not known: then the circles and the figures of the legend are left out. With `insertion` its phase is shown
+/// instead of `current`.
 void updateScene(Scene& scene, const MeshState& state, const ViewOptions& options, const Event* current,
-                 const Quality* quality);
+                 const Quality* quality, const InsertionView* insertion = nullptr);
 Scene buildScene(const MeshState& state, const ViewOptions& options, const Event* current, const Quality* quality);
 
 }  // namespace triscope

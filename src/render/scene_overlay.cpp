@@ -7,6 +7,7 @@
 #include "render/number.h"
 #include "render/pick.h"
 #include "render/scene_parts.h"
+#include "render/scene_shapes.h"
 #include "render/star.h"
 
 namespace triscope::detail {
@@ -24,47 +25,10 @@ Star liveStar(const Mesh& mesh, std::int32_t vertex) {
   return star;
 }
 
-MarkBatch oneMark(Point p, Shape shape, float size, Color fill, Color outline) {
-  MarkBatch batch;
-  batch.at.push_back(p);
-  batch.shape = shape;
-  batch.size = size;
-  batch.fill = fill;
-  batch.outline = outline;
-  return batch;
-}
-
-LineBatch polyline(std::vector<Point> points, bool closed, LineStyle style) {
-  LineBatch batch;
-  batch.style = style;
-  const auto n = static_cast<std::uint32_t>(points.size());
-  for (std::uint32_t i = 0; i + 1 < n; ++i) batch.segments.push_back({i, i + 1});
-  if (closed && n > 2) batch.segments.push_back({n - 1, 0});
-  batch.points = std::move(points);
-  return batch;
-}
-
-LineBatch outlineOf(const Mesh& mesh, std::int32_t slot, LineStyle style) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return polyline({pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])}, true, style);
-}
-
-LineBatch outlineOf(const Quadtree& tree, const Cell& cell, LineStyle style) {
+LineBatch cellOutline(const Quadtree& tree, const Cell& cell, LineStyle style) {
   const Point lo = tree.corner(cell);
   const double side = tree.side(cell);
   return polyline({lo, {lo.x + side, lo.y}, {lo.x + side, lo.y + side}, {lo.x, lo.y + side}}, true, style);
-}
-
-TriangleBatch patch(const Mesh& mesh, const std::vector<std::int32_t>& slots, Color fill, bool hatched) {
-  TriangleBatch batch;
-  for (const std::int32_t slot : slots) {
-    const auto first = static_cast<std::uint32_t>(batch.points.size());
-    for (const std::int32_t v : triangleAt(mesh, slot).v) batch.points.push_back(pointOf(mesh, v));
-    batch.triangles.push_back({first, first + 1, first + 2});
-  }
-  batch.fills.push_back(fill);
-  batch.hatched = hatched;
-  return batch;
 }
 
 std::vector<std::int32_t> slotsCreated(const Mesh& mesh, const Event& event) {
@@ -76,25 +40,6 @@ std::vector<std::int32_t> slotsCreated(const Mesh& mesh, const Event& event) {
     }
   }
   return slots;
-}
-
-Label note(const SceneInput& in, Point p, std::string text, Color color) {
-  Label label;
-  label.at = p;
-  label.dx = 9.0f;
-  label.dy = -9.0f;
-  label.text = std::move(text);
-  label.color = color;
-  label.halo = in.theme.background;
-  return label;
-}
-
-// On a ring of background, so that it reads over any fill.
-void addCircle(const SceneInput& in, Layer& layer, const Circle& circle) {
-  Circle ring = circle;
-  ring.style = {faded(in.theme.background, 0.8), circle.style.width + 2.6f, Dash::solid, false};
-  layer.circles.push_back(ring);
-  layer.circles.push_back(circle);
 }
 
 // In steps 1 to 4 what is measured is the circumradius about the proposed point.
@@ -204,12 +149,12 @@ void addCell(const SceneInput& in, Layer& layer) {
   const auto& cells = in.state.tree.cells;
   const LineStyle strong{in.theme.candidate, 2.4f, Dash::solid, false};
   if (in.current->subject < cells.size()) {
-    layer.lines.push_back(outlineOf(in.state.tree, cells[in.current->subject], strong));
+    layer.lines.push_back(cellOutline(in.state.tree, cells[in.current->subject], strong));
   }
   const LineStyle made{in.theme.created, 1.4f, Dash::dashed, false};
   if (in.current->kind != EventKind::cell_split || in.current->created == kNoId) return;
   for (std::uint32_t i = 0; i < 4 && in.current->created + i < cells.size(); ++i) {
-    layer.lines.push_back(outlineOf(in.state.tree, cells[in.current->created + i], made));
+    layer.lines.push_back(cellOutline(in.state.tree, cells[in.current->created + i], made));
   }
 }
 
@@ -245,6 +190,7 @@ LineStyle worstStyle(const Theme& theme, int which) {
 }
 
 void buildDecision(const SceneInput& in, Layer& layer) {
+  if (in.insertion != nullptr) return buildInsertion(in, layer);
   if (!in.options.decision || in.current == nullptr) return;
   const Event& event = *in.current;
   switch (event.kind) {
@@ -322,7 +268,7 @@ void buildSelection(const SceneInput& in, Layer& layer) {
       break;
     case Selection::Kind::cell:
       if (s.index >= 0 && at(s.index) < in.state.tree.cells.size()) {
-        layer.lines.push_back(outlineOf(in.state.tree, in.state.tree.cells[at(s.index)], line));
+        layer.lines.push_back(cellOutline(in.state.tree, in.state.tree.cells[at(s.index)], line));
       }
       break;
   }

@@ -12,6 +12,7 @@ struct SceneInput {
   const Theme& theme;
   const Event* current = nullptr;
   const Quality* quality = nullptr;
+  const InsertionView* insertion = nullptr;
 };
 
 /// Ranks in use among the leaves that are shown, for the colour scale.
@@ -30,6 +31,7 @@ void buildPoints(const SceneInput& in, Layer& layer);
 void buildFronts(const SceneInput& in, Layer& layer);
 void buildConstraints(const SceneInput& in, Layer& layer);
 void buildDecision(const SceneInput& in, Layer& layer);
+void buildInsertion(const SceneInput& in, Layer& layer);
 void buildWorst(const SceneInput& in, Layer& layer);
 void buildSelection(const SceneInput& in, Layer& layer);
 std::vector<LegendItem> buildLegend(const SceneInput& in);

@@ -12,19 +12,37 @@ constexpr int kCtrl = GLFW_MOD_CONTROL;
 constexpr int kShift = GLFW_MOD_SHIFT;
 
 constexpr std::array<ActionInfo, kActionCount> kActions{{
-    {Action::open, Menu::file, "open", "Open…", "Opens a domain file.", {{{GLFW_KEY_O, kCtrl}}}},
+    {Action::open, Menu::file, "open", "Open…", "Opens a domain file or a session.", {{{GLFW_KEY_O, kCtrl}}}},
     {Action::reload,
      Menu::file,
      "reload",
      "Read again",
      "Reads the domain file again and meshes it.",
      {{{GLFW_KEY_R, kCtrl}}}},
+    {Action::save_session,
+     Menu::file,
+     "save_session",
+     "Save session",
+     "Writes the domain, the parameters, breakpoints, bookmarks, notes and where you are to a session file.",
+     {{{GLFW_KEY_S, kCtrl}}}},
+    {Action::save_session_as,
+     Menu::file,
+     "save_session_as",
+     "Save session as…",
+     "Saves the session under another name.",
+     {{{GLFW_KEY_S, kCtrl | kShift}}}},
+    {Action::restore_work,
+     Menu::file,
+     "restore_work",
+     "Restore unsaved work",
+     "Opens the latest work that was not saved: when the program was killed, or something else was opened over it.",
+     {}},
     {Action::export_mesh,
      Menu::file,
      "export_mesh",
      "Export…",
      "Writes the mesh or a picture of it to a file.",
-     {{{GLFW_KEY_S, kCtrl}, {GLFW_KEY_E, kCtrl}}}},
+     {{{GLFW_KEY_E, kCtrl}}}},
     {Action::save_picture,
      Menu::file,
      "save_picture",
@@ -50,13 +68,25 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      "step",
      "Next decision",
      "Makes one decision: the smallest step.",
-     {{{GLFW_KEY_RIGHT, 0}, {GLFW_KEY_F11, 0}}}},
+     {{{GLFW_KEY_RIGHT, 0}}}},
     {Action::step_back,
      Menu::run,
      "step_back",
      "Previous decision",
      "Goes back by one decision.",
-     {{{GLFW_KEY_LEFT, 0}, {GLFW_KEY_F11, kCtrl}}}},
+     {{{GLFW_KEY_LEFT, 0}}}},
+    {Action::into,
+     Menu::run,
+     "into",
+     "Into the insertion",
+     "Steps through the next insertion: the candidate, the walk to its place, the cavity, the new triangles.",
+     {{{GLFW_KEY_F11, 0}}}},
+    {Action::into_back,
+     Menu::run,
+     "into_back",
+     "Back in the insertion",
+     "Goes back to the phase before, or to the insertion before.",
+     {{{GLFW_KEY_F11, kShift}, {GLFW_KEY_F11, kCtrl}}}},
     {Action::insertion,
      Menu::run,
      "insertion",
@@ -74,7 +104,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      "stage",
      "Next stage",
      "Carries on to the end of this stage.",
-     {{{GLFW_KEY_RIGHT, kCtrl}, {GLFW_KEY_PAGE_DOWN, 0}, {GLFW_KEY_F11, kShift}}}},
+     {{{GLFW_KEY_RIGHT, kCtrl}, {GLFW_KEY_PAGE_DOWN, 0}}}},
     {Action::stage_back,
      Menu::run,
      "stage_back",
@@ -118,17 +148,30 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      "Stops what is under way, closes a dialog, or drops the selection; never quits.",
      {{{GLFW_KEY_ESCAPE, 0}}}},
     {Action::undo,
-     Menu::run,
+     Menu::edit,
      "undo",
-     "Undo parameter change",
-     "Takes back the last change of a parameter.",
+     "Undo",
+     "Takes back the last change of a parameter or of a density constraint.",
      {{{GLFW_KEY_Z, kCtrl}}}},
     {Action::redo,
-     Menu::run,
+     Menu::edit,
      "redo",
-     "Redo parameter change",
-     "Makes the change of a parameter again.",
+     "Redo",
+     "Makes the change that was taken back again.",
      {{{GLFW_KEY_Z, kCtrl | kShift}, {GLFW_KEY_Y, kCtrl}}}},
+
+    {Action::place_density,
+     Menu::edit,
+     "place_density",
+     "Place density constraints",
+     "A click places one, a drag moves one; Alt+click places one at any time.",
+     {{{GLFW_KEY_E, 0}}}},
+    {Action::delete_density,
+     Menu::edit,
+     "delete_density",
+     "Delete density constraint",
+     "Deletes the density constraint that is selected.",
+     {{{GLFW_KEY_DELETE, 0}}}},
 
     {Action::continue_forward,
      Menu::debug,
@@ -339,6 +382,7 @@ constexpr auto kKeyNames = std::to_array<KeyName>({
     {GLFW_KEY_PAGE_UP, "PageUp"},
     {GLFW_KEY_PAGE_DOWN, "PageDown"},
     {GLFW_KEY_ESCAPE, "Esc"},
+    {GLFW_KEY_DELETE, "Del"},
     {GLFW_KEY_LEFT_BRACKET, "["},
     {GLFW_KEY_RIGHT_BRACKET, "]"},
     {GLFW_KEY_COMMA, ","},
@@ -387,6 +431,8 @@ std::string_view nameOf(Menu menu) {
   switch (menu) {
     case Menu::file:
       return "File";
+    case Menu::edit:
+      return "Edit";
     case Menu::run:
       return "Run";
     case Menu::debug:
@@ -422,7 +468,7 @@ std::string keysOf(const ActionInfo& info) {
 
 std::string keysAsMarkdown() {
   std::string text = "# Keys\n\nPrinted from the program's own table; F1 shows the same in the window.\n";
-  for (const Menu menu : {Menu::file, Menu::run, Menu::debug, Menu::view, Menu::help}) {
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::run, Menu::debug, Menu::view, Menu::help}) {
     text += fmt::format("\n## {}\n\n| key | what it does |\n|---|---|\n", nameOf(menu));
     for (const ActionInfo& info : kActions)
       if (info.menu == menu && info.chords[0].key != 0)

@@ -15,6 +15,9 @@ enum class Action : std::uint8_t {
   // File
   open,
   reload,
+  save_session,
+  save_session_as,
+  restore_work,
   export_mesh,
   save_picture,
   save_figure,
@@ -23,6 +26,8 @@ enum class Action : std::uint8_t {
   play_pause,
   step,
   step_back,
+  into,
+  into_back,
   insertion,
   insertion_back,
   stage,
@@ -35,6 +40,8 @@ enum class Action : std::uint8_t {
   cancel,
   undo,
   redo,
+  place_density,
+  delete_density,
   // Break
   continue_forward,
   continue_back,
@@ -76,7 +83,7 @@ enum class Action : std::uint8_t {
 };
 inline constexpr int kActionCount = static_cast<int>(Action::about) + 1;
 
-enum class Menu : std::uint8_t { file, run, debug, view, help };
+enum class Menu : std::uint8_t { file, edit, run, debug, view, help };
 
 /// A key with its modifiers, as GLFW numbers them; key 0: none.
 struct Chord {

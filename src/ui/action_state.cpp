@@ -31,6 +31,10 @@ std::string whyNot(Action action, const View& view) {
   switch (action) {
     case Action::play_pause:
       return view.session.busy() && !view.session.stale() ? std::string() : needsForward(view);
+    case Action::into:
+      // Its phases are gone through even where nothing follows them.
+      if (view.ui.insertion.now && view.ui.insertion.phase != InsertionPhase::filled) return {};
+      return needsForward(view);
     case Action::step:
     case Action::insertion:
     case Action::stage:
@@ -38,10 +42,17 @@ std::string whyNot(Action action, const View& view) {
     case Action::to_end:
       return needsForward(view);
     case Action::step_back:
+    case Action::into_back:
     case Action::insertion_back:
     case Action::stage_back:
     case Action::restart:
       return needsBack(view);
+    case Action::save_session:
+    case Action::save_session_as:
+      if (view.now() == nullptr) return "There is nothing to save yet.";
+      return view.ui.document.saving ? "The session is being written." : "";
+    case Action::restore_work:
+      return view.ui.document.kept.empty() ? "No work was left behind." : "";
     case Action::export_mesh:
     case Action::save_picture:
     case Action::save_figure:
@@ -51,9 +62,13 @@ std::string whyNot(Action action, const View& view) {
       if (view.now() == nullptr) return "No domain is open.";
       return view.now()->state.domain->file.empty() ? "This sample is built in; there is no file to read again." : "";
     case Action::undo:
-      return view.ui.undo.empty() ? "No parameter has been changed." : "";
+      return view.ui.undo.empty() ? "Nothing has been changed." : "";
     case Action::redo:
       return view.ui.redo.empty() ? "Nothing was taken back." : "";
+    case Action::place_density:
+      return view.now() == nullptr ? "There is no domain yet." : "";
+    case Action::delete_density:
+      return view.ui.density.request ? "" : "No density constraint is selected.";
     case Action::worst_aspect:
       return needsTriangle(view, &Quality::aspectAt);
     case Action::worst_area:
@@ -104,6 +119,8 @@ std::optional<bool> isOn(Action action, const UiState& ui) {
       return o.labels;
     case Action::legend:
       return ui.look.legend;
+    case Action::place_density:
+      return ui.density.placing;
     case Action::breakpoints_panel:
       return ui.debug.bottom == "Breakpoints";
     case Action::plots_panel:

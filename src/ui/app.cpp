@@ -16,8 +16,7 @@ namespace {
 
 constexpr const char* kFirstSample = "blunt_body.json";
 
-Command firstCommand(const std::string& file) {
-  if (!file.empty()) return command::OpenFile{file};
+Command firstSample() {
   const auto bytes = findEmbedded(embeddedSamples(), kFirstSample);
   const std::string text(bytes.begin(), bytes.end());
   Result<Domain> sample = parseDomain(text, "");
@@ -28,7 +27,10 @@ Command firstCommand(const std::string& file) {
 }  // namespace
 
 App::App(const WindowOptions& options, std::function<void()> wake)
-    : wake_(std::move(wake)), session_(wake_), stateFile_(options.stateFile) {
+    : wake_(std::move(wake)),
+      session_(wake_),
+      autosave_(options.screenshot.empty() ? Autosave::defaultFolder() : std::string(), wake_),
+      stateFile_(options.stateFile) {
   preferencesPath_ = options.preferences.empty()     ? preferencesPath()
                      : options.preferences == "none" ? ""
                                                      : options.preferences;
@@ -36,10 +38,16 @@ App::App(const WindowOptions& options, std::function<void()> wake)
   savedLook_ = ui_.look;
   ui_.options.theme = ui_.look.theme;
   // Meshing begins while the window is still being made.
-  session_.apply(firstCommand(options.file));
+  if (options.file.empty())
+    session_.apply(firstSample());
+  else
+    openFile(options.file);
+  ui_.document.kept = autosave_.keptWork();
+  ui_.document.offering = !ui_.document.kept.empty();
 }
 
 App::~App() {
+  closeDocument();
   if (!preferencesPath_.empty() && ui_.look != savedLook_) writePreferences(preferencesPath_, ui_.look);
 }
 
@@ -72,7 +80,10 @@ void App::onDrop(const std::string& path) { apply(command::OpenFile{path}); }
 bool App::poll() {
   const bool news = session_.poll();
   if (news) followRun();
-  return news || export_.ready();
+  if (news) followInsertion();
+  const bool saved = save_.ready();
+  followDocument();
+  return news || saved || export_.ready();
 }
 
 void App::followRun() {
@@ -86,14 +97,14 @@ void App::followRun() {
   if (now == nullptr || now == shown_) return;
   shown_ = now;
   if (now->state.domain != shownDomain_) {
+    const bool another = !isEdit(now->state.domain);
     shownDomain_ = now->state.domain;
-    select({});
-    ui_.undo.clear();
-    ui_.redo.clear();
-    fitted_ = true;
-    ui_.debug.bookmarks.clear();
-    ui_.debug.from = ui_.debug.to = 0.0;
+    if (another) beginDocument();
   }
+  // A change that was given up or refused is no step of undo.
+  if (!session_.busy() && !tuning_)
+    while (!ui_.undo.empty() && ui_.undo.back() == inForce()) ui_.undo.pop_back();
+  if (ui_.density.request && *ui_.density.request >= session_.domain()->density.size()) ui_.density.request.reset();
   resolveSelection();
   keepInRange();
 }
@@ -164,6 +175,7 @@ void App::frame() {
   for (const Order& order : orders) carryOut(order);
   if (!orders.empty()) followRun();
   finishExport();
+  followDocument();
   if (stateFile_.wanted()) stateFile_.update(describeWindow(view(), captionNow(view())), frames_);
 }
 
@@ -181,7 +193,12 @@ void App::drawPicture(const Region& region) {
     options.theme = ui_.look.theme;
     options.dimmed = session_.stale();
     options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
-    updateScene(scene_, now->state, options, now->last ? &*now->last : nullptr, &now->quality);
+    const InsertionUi& insertion = ui_.insertion;
+    const bool inside = view().inInsertion() && insertion.phase != InsertionPhase::filled;
+    options.worst = options.worst && !inside;  // their circles would be taken for the insertion's
+    const InsertionView shown{insertion.now.get(), insertion.phase};
+    updateScene(scene_, now->state, options, now->last ? &*now->last : nullptr, &now->quality,
+                inside ? &shown : nullptr);
     if (fitted_) fit();
   } else {
     scene_.theme = themeOf(ui_.look.theme);
@@ -249,6 +266,9 @@ void App::drawDialog(const View& shown, Orders& orders) {
       break;
     case Dialog::open:
       openDialog_.draw(shown, orders);
+      break;
+    case Dialog::save_as:
+      saveDialog_.draw(shown, orders);
       break;
     case Dialog::export_to:
       exportDialog_.draw(shown, orders);

@@ -1,6 +1,7 @@
 // The window's state and what changes it: panels draw from a View and return orders, and this carries them out.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -51,14 +52,31 @@ class App {
   [[nodiscard]] bool animating() const { return session_.busy(); }
   /// True once a mesh is complete and nothing is under way.
   [[nodiscard]] bool settled() const { return session_.current() != nullptr && !session_.busy(); }
+  [[nodiscard]] std::string title() const;
+  /// Seconds until poll() is to be called although nothing happens; nothing when it need not be.
+  [[nodiscard]] std::optional<double> due() const { return autosave_.due(Autosave::Clock::now()); }
   /// What shows between the regions.
   [[nodiscard]] Color surface() const { return themeOf(ui_.look.theme).surface; }
 
  private:
   /// A control for a parameter is held and moved.
   struct Tuning {
-    Settings before;
+    Edit before;
     bool cancelled = false;
+  };
+  /// On the way to an insertion that is to be stepped through: first to the state after it, then to the one before.
+  struct Entering {
+    enum class Step : std::uint8_t { none, after, before } step = Step::none;
+    InsertionPhase phase = InsertionPhase::candidate;  // to be shown then
+    std::size_t vertices = 0;                          // when it began
+    std::uint64_t events = 0;                          // of the state after
+  };
+  /// A session on its way from the file to the window.
+  struct Opening {
+    std::shared_ptr<const Domain> domain;
+    SessionFile file;
+    std::string path;              // of the session that it is saved as; empty: none
+    std::optional<KeptWork> kept;  // where it was kept, for work that was not saved
   };
 
   [[nodiscard]] View view();
@@ -76,8 +94,10 @@ class App {
   void performOnRun(Action action);
   void apply(const Command& command);
   void change(const Settings& settings);
-  void changeWithoutUndo(const Settings& settings);
-  void tune(const Settings& settings);
+  [[nodiscard]] Edit inForce() const { return {session_.settings(), session_.domain()}; }
+  void remember(const Edit& before);
+  void bring(const Edit& edit);
+  void tune(const Edit& edit);
   void endTuning();
   void cancelTuning();
   void select(const Pick& pick);
@@ -96,7 +116,34 @@ class App {
   void follow(Ref ref);
   void keepInRange();
   void updateAnswers();
+  void editDensity(std::vector<DensityRequest> density, bool held);
+  void nameRequest(const order::NameRequest& typed);
+  void placeRequest(Point at);
+  void moveRequest(Point to);
+  void deleteRequest();
+  void selectRequest(std::optional<std::size_t> index);
+  void togglePlacing();
+  void run(const Command& command);
+  void stepInto();
+  void stepBackOut();
+  void enterInsertion(InsertionPhase phase);
+  void takeApartHere();
+  void showPhase(InsertionPhase phase);
+  void followInsertion();
   void openDialog(Dialog dialog);
+  void openFile(const std::string& path);
+  void openSession(SessionFile file, const std::string& path, std::optional<KeptWork> kept);
+  void complain(const Error& error);
+  /// Whether a domain is what is open with another density, not another document.
+  [[nodiscard]] bool isEdit(const std::shared_ptr<const Domain>& domain) const;
+  void beginDocument();
+  [[nodiscard]] Draft draft() const;
+  void followDocument();
+  void closeDocument();
+  void saveTo(const std::string& path);
+  void finishSave();
+  void restore();
+  void discardKept();
   void exportTo(const std::string& path);
   void finishExport();
   [[nodiscard]] std::string suggestedPath(const char* extension) const;
@@ -109,7 +156,19 @@ class App {
   std::unique_ptr<GlRenderer> renderer_;  // while there is a context
   OpenDialog openDialog_;
   ExportDialog exportDialog_;
+  SaveDialog saveDialog_;
   BackgroundJob export_;
+  BackgroundJob save_;
+  std::atomic<bool> saveStops_{false};  // the window closes: hashes that are missing are left out
+  Autosave autosave_;
+  std::optional<Draft> draft_;            // as it is now; nothing until there is a mesh
+  std::optional<Draft> base_;             // as it was opened or saved; nothing for work that was restored
+  bool baseWanted_ = false;               // draft_ is to become base_ once it is complete
+  std::optional<Draft> saving_;           // being written
+  std::string savePath_;                  // to here
+  std::optional<Opening> opening_;        // while it is made
+  std::shared_ptr<const Domain> edited_;  // made by the last edit of the density
+  Entering entering_;
   StateFile stateFile_;
   std::string preferencesPath_;
   Appearance savedLook_;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/io/atomic_file.h"
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
 #include "render/figure.h"
@@ -18,6 +19,15 @@ using std::chrono::milliseconds;
 
 // A step that takes longer than this is shown when it is done; until then the window goes on.
 constexpr auto kPatience = milliseconds(40);
+
+bool isDomain(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
+
+Status writeText(const std::string& path, const std::string& text) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (const Status written = file->write(text); !written) return written;
+  return file->commit();
+}
 
 bool isPicture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
@@ -39,8 +49,11 @@ void App::carryOut(const Order& order) {
     void operator()(const Appearance& look) const { app.ui_.look = look; }
     void operator()(const order::SelectElement& o) const { app.select(o.pick); }
     void operator()(const order::Frame& o) const { app.frameBox(o.box, 0.0); }
-    void operator()(const order::Tune& o) const { app.tune(o.settings); }
-    void operator()(const order::EndTuning&) const { app.endTuning(); }
+    void operator()(const order::Tune& o) const { app.tune({o.settings, app.session_.domain()}); }
+    void operator()(const order::EndTuning&) const {
+      app.ui_.density.held = false;
+      app.endTuning();
+    }
     void operator()(const order::SetSpeed& o) const {
       app.ui_.speed = o.decisionsPerSecond;
       if (app.session_.progress().activity == Activity::playing)
@@ -64,6 +77,26 @@ void App::carryOut(const Order& order) {
       app.ui_.debug.plot = static_cast<PlotOf>(o.plot);
       app.ui_.debug.histogram = static_cast<Measure>(o.histogram);
     }
+    void operator()(const order::EditDensity& o) const { app.editDensity(o.density, o.held); }
+    void operator()(const order::NameRequest& o) const { app.nameRequest(o); }
+    void operator()(const order::PlaceRequest& o) const { app.placeRequest(o.at); }
+    void operator()(const order::MoveRequest& o) const { app.moveRequest(o.to); }
+    void operator()(const order::SelectRequest& o) const {
+      app.selectRequest(o.index);
+      app.ui_.density.held = o.held;
+    }
+    void operator()(const order::SaveTo& o) const { app.saveTo(o.path); }
+    void operator()(const order::WriteNotes& o) const { app.ui_.document.notes = o.text; }
+    void operator()(const order::NameBookmark& o) const { app.ui_.debug.bookmarks[o.index].name = o.name; }
+    void operator()(const order::DropBookmark& o) const {
+      std::vector<Bookmark>& marks = app.ui_.debug.bookmarks;
+      marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(o.index));
+    }
+    void operator()(const order::Kept& o) const {
+      app.ui_.document.offering = false;
+      if (o.what == order::Kept::What::restore) app.restore();
+      if (o.what == order::Kept::What::discard) app.discardKept();
+    }
   };
   std::visit(Visitor{*this}, order);
 }
@@ -71,41 +104,63 @@ void App::carryOut(const Order& order) {
 void App::apply(const Command& command) {
   if (const auto* changed = std::get_if<command::Change>(&command)) return change(changed->settings);
   ui_.message.clear();
-  session_.apply(command);
+  entering_ = {};
+  run(command);
+}
+
+void App::run(const Command& command) {
+  if (const auto* file = std::get_if<command::OpenFile>(&command))
+    openFile(file->path);
+  else
+    session_.apply(command);
   // What is quick is shown in this very frame.
   if (!std::holds_alternative<command::Play>(command)) session_.settle(kPatience);
   followRun();
+  followInsertion();
 }
 
 void App::change(const Settings& settings) {
-  ui_.undo.push_back(session_.settings());
-  ui_.redo.clear();
-  changeWithoutUndo(settings);
+  remember(inForce());
+  bring({settings, session_.domain()});
 }
 
-void App::tune(const Settings& settings) {
-  if (!tuning_) tuning_ = Tuning{session_.settings()};
-  if (!tuning_->cancelled) changeWithoutUndo(settings);
+void App::remember(const Edit& before) {
+  ui_.undo.push_back(before);
+  ui_.redo.clear();
+}
+
+void App::bring(const Edit& edit) {
+  ui_.insertion = {};
+  entering_ = {};
+  if (edit.domain == session_.domain()) {
+    session_.apply(command::Change{edit.settings});
+  } else {
+    edited_ = edit.domain;
+    const MeshState& now = shown_->state;
+    const bool toEnd = now.stage == Stage::finished;
+    session_.apply(
+        command::Load{edit.domain, edit.settings, toEnd ? std::optional<std::uint64_t>() : std::optional(now.tick)});
+  }
+  session_.settle(kPatience);
+  followRun();
+}
+
+void App::tune(const Edit& edit) {
+  if (!tuning_) tuning_ = Tuning{inForce()};
+  if (!tuning_->cancelled) bring(edit);
 }
 
 void App::endTuning() {
   const std::optional<Tuning> tuned = std::exchange(tuning_, std::nullopt);
-  if (!tuned || session_.settings() == tuned->before) return;
-  ui_.undo.push_back(tuned->before);
-  ui_.redo.clear();
+  if (tuned && inForce() != tuned->before) remember(tuned->before);
 }
 
 void App::cancelTuning() {
   tuning_->cancelled = true;  // what the control says until it is let go is passed over
-  const bool shown = session_.stale() && session_.current()->state.settings == tuning_->before;
-  if (shown) return apply(command::Cancel{});
-  if (session_.settings() != tuning_->before) changeWithoutUndo(tuning_->before);
-}
-
-void App::changeWithoutUndo(const Settings& settings) {
-  session_.apply(command::Change{settings});
-  session_.settle(kPatience);
-  followRun();
+  const Edit before = tuning_->before;
+  const MeshState& shown = session_.current()->state;
+  if (session_.stale() && Edit{shown.settings, shown.domain} == before) return apply(command::Cancel{});
+  if (inForce() != before) bring(before);
 }
 
 void App::perform(Action action) {
@@ -119,6 +174,14 @@ void App::perform(Action action) {
       return openDialog(Dialog::open);
     case Action::reload:
       return apply(command::OpenFile{shownDomain_->file});
+    case Action::save_session:
+      if (!ui_.document.path.empty()) return saveTo(ui_.document.path);
+      [[fallthrough]];
+    case Action::save_session_as:
+      saveDialog_.prepare(ui_.document.path.empty() ? suggestedPath(".session") : ui_.document.path);
+      return openDialog(Dialog::save_as);
+    case Action::restore_work:
+      return restore();
     case Action::export_mesh:
       exportDialog_.prepare(suggestedPath(".msh"));
       return openDialog(Dialog::export_to);
@@ -147,6 +210,14 @@ void App::perform(Action action) {
       return showWorst(shown_->quality.areaRatioAt, shown_->quality.areaRatioOther);
     case Action::worst_edge:
       return showWorst(shown_->quality.edgeRatioAt, -1);
+    case Action::place_density:
+      return togglePlacing();
+    case Action::delete_density:
+      return deleteRequest();
+    case Action::into:
+      return stepInto();
+    case Action::into_back:
+      return stepBackOut();
     case Action::next_theme:
       ui_.look.theme = static_cast<ThemeKind>((static_cast<int>(ui_.look.theme) + 1) % 3);
       return;
@@ -199,16 +270,16 @@ void App::performOnRun(Action action) {
     case Action::faster:
       return carryOut(order::SetSpeed{std::min(100000.0, ui_.speed * 2.0)});
     case Action::undo: {
-      const Settings back = ui_.undo.back();
+      const Edit back = ui_.undo.back();
+      ui_.redo.push_back(inForce());
       ui_.undo.pop_back();
-      ui_.redo.push_back(session_.settings());
-      return changeWithoutUndo(back);
+      return bring(back);
     }
     case Action::redo: {
-      const Settings again = ui_.redo.back();
+      const Edit again = ui_.redo.back();
+      ui_.undo.push_back(inForce());
       ui_.redo.pop_back();
-      ui_.undo.push_back(session_.settings());
-      return changeWithoutUndo(again);
+      return bring(again);
     }
     default:
       return;
@@ -255,6 +326,12 @@ void App::cancel() {
     cancelTuning();
   else if (session_.busy())
     apply(command::Cancel{});
+  else if (ui_.insertion.now)
+    ui_.insertion = {};
+  else if (ui_.density.placing)
+    togglePlacing();
+  else if (ui_.density.request)
+    ui_.density.request.reset();
   else if (ui_.selected.selection.kind != Selection::Kind::none)
     select({});
   else
@@ -263,6 +340,7 @@ void App::cancel() {
 
 void App::select(const Pick& pick) {
   ui_.selected = pick;
+  ui_.density.request.reset();
   if (shown_) resolveSelection();
 }
 
@@ -329,6 +407,7 @@ void App::exportTo(const std::string& path) {
   figure.region = visibleBox(ui_.camera);
   export_.start(
       [now, path, options, figure]() -> Status {
+        if (isDomain(path)) return writeText(path, now->state.domain->text);
         if (isPicture(path)) return writeFigure(path, now->state, options, figure);
         return writeMesh(path, exportMesh(now->state));
       },

@@ -14,15 +14,13 @@ namespace triscope {
 class BackgroundJob {
  public:
   BackgroundJob() = default;
-  ~BackgroundJob() {
-    if (thread_.joinable()) thread_.join();
-  }
+  ~BackgroundJob() { wait(); }
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
   /// Must not be called while running(). `wake` is called from the other thread when `work` is done.
   void start(std::function<Status()> work, std::function<void()> wake) {
-    if (thread_.joinable()) thread_.join();
+    wait();
     done_ = false;
     running_ = true;
     thread_ = std::thread([this, work = std::move(work), wake = std::move(wake)] {
@@ -31,12 +29,16 @@ class BackgroundJob {
       wake();
     });
   }
+  /// Until it is done, if there is one; finished() still tells of it.
+  void wait() {
+    if (thread_.joinable()) thread_.join();
+  }
   [[nodiscard]] bool running() const { return running_; }
   [[nodiscard]] bool ready() const { return running_ && done_; }
   /// The outcome, once, when there is one.
   std::optional<Status> finished() {
     if (!ready()) return std::nullopt;
-    thread_.join();
+    wait();
     running_ = false;
     return std::exchange(result_, std::nullopt);
   }

@@ -7,6 +7,7 @@
 #include "core/density/quadtree.h"
 #include "render/number.h"
 #include "render/picture.h"
+#include "ui/density_handles.h"
 #include "ui/imgui_canvas.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -96,7 +97,10 @@ void mouse(const View& view, Orders& orders, ImVec2 corner) {
   const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
   const bool held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool box = ImGui::GetIO().KeyShift;
-  if ((held || released) && draggedFar(view)) {
+  const bool taken = densityMouse(view, orders, corner);
+  if (taken) {
+    // A density constraint is placed or moved.
+  } else if ((held || released) && draggedFar(view)) {
     if (box)
       boxZoom(view, orders, corner, released);
     else if (held)
@@ -105,7 +109,9 @@ void mouse(const View& view, Orders& orders, ImVec2 corner) {
     click(view, orders, at);
   }
   if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Middle)) pan(view, orders);
-  if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) centreOn(view, orders, at);
+  if (ImGui::IsItemHovered() && !taken && !view.ui.density.placing &&
+      ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+    centreOn(view, orders, at);
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("canvas menu");
 }
 
@@ -162,10 +168,12 @@ void drawCanvas(const View& view, Orders& orders) {
   list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
   mouse(view, orders, corner);
   labels(view, corner);
+  drawDensityHandles(view, corner);
   if (view.legendOnCanvas) overlayLegend(view, corner, size);
   list.PopClipRect();
   contextMenu(view, orders, corner);
   progress(view, orders, corner, size);
+  drawKeptOffer(view, orders, corner, size);
 }
 
 }  // namespace triscope

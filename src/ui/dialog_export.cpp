@@ -15,13 +15,14 @@ struct Format {
   const char* extension;
   const char* what;
 };
-constexpr std::array<Format, 8> kFormats{{
+constexpr std::array<Format, 9> kFormats{{
     {".msh", "Gmsh 4.1, boundary edges as named groups"},
     {".vtu", "VTK, with the quality of each triangle"},
     {".su2", "SU2, with markers"},
     {".node", "Triangle's .node, .ele and .poly"},
     {".off", "Object File Format"},
     {".obj", "Wavefront"},
+    {".json", "the domain, with its density constraints"},
     {".svg", "picture of what is in view, as vectors"},
     {".png", "picture of what is in view, as pixels"},
 }};

@@ -36,11 +36,12 @@ struct MouseHint {
   const char* gesture;
   const char* what;
 };
-constexpr std::array<MouseHint, 8> kMouse{{
+constexpr std::array<MouseHint, 9> kMouse{{
     {"wheel", "zooms to the cursor"},
     {"drag", "moves the picture"},
     {"click", "picks a vertex, an edge or a triangle"},
     {"Ctrl+click", "picks the quadtree cell"},
+    {"Alt+click", "places a density constraint"},
     {"Shift+drag", "shows what the box holds"},
     {"double click", "centres"},
     {"right click", "more about the place"},
@@ -105,6 +106,7 @@ void drawHelpDialog(const View& view, Orders& orders) {
       ImGui::TableNextColumn();
       keyTable(view, Menu::run);
       keyTable(view, Menu::file);
+      keyTable(view, Menu::edit);
       keyTable(view, Menu::debug);
       ImGui::TableNextColumn();
       keyTable(view, Menu::view);

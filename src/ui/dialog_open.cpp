@@ -15,9 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kTitle = "Open a domain";
+constexpr const char* kTitle = "Open a domain or a session";
 
-bool isDomainFile(const fs::path& path) { return path.extension() == ".json"; }
+bool canBeOpened(const fs::path& path) { return path.extension() == ".json" || path.extension() == ".session"; }
 
 void openSample(const std::string& name, Orders& orders) {
   const auto bytes = findEmbedded(embeddedSamples(), name + ".json");
@@ -58,7 +58,7 @@ void OpenDialog::list(const std::string& folder) {
     const std::string name = at->path().filename().string();
     if (name.empty() || name[0] == '.') continue;
     const bool isFolder = at->is_directory(failure);
-    if (isFolder || isDomainFile(at->path())) entries_.push_back({name, isFolder});
+    if (isFolder || canBeOpened(at->path())) entries_.push_back({name, isFolder});
   }
   std::sort(entries_.begin(), entries_.end(),
             [](const Entry& a, const Entry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
@@ -109,8 +109,8 @@ void OpenDialog::draw(const View& view, Orders& orders) {
 
   ImGui::SetNextItemWidth(-1.0f);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered =
-      ImGui::InputTextWithHint("##path", "path of a domain file", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##path", "path of a domain or session file", &path_,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   note(view, "open.path");
   ImGui::BeginDisabled(path_.empty());
   const bool pressed = ImGui::Button("Open", {view.px(110), 0.0f});

@@ -36,6 +36,15 @@ class ExportDialog {
   std::string path_;
 };
 
+class SaveDialog {
+ public:
+  void prepare(const std::string& path) { path_ = path; }
+  void draw(const View& view, Orders& orders);
+
+ private:
+  std::string path_;
+};
+
 void drawErrorDialog(const View& view, Orders& orders);
 void drawHelpDialog(const View& view, Orders& orders);
 void drawAboutDialog(const View& view, Orders& orders);

@@ -8,12 +8,13 @@ namespace {
 bool endsGroup(Action action) {
   switch (action) {
     case Action::reload:
+    case Action::restore_work:
     case Action::save_figure:
     case Action::play_pause:
     case Action::round:
     case Action::to_end:
     case Action::faster:
-    case Action::cancel:
+    case Action::redo:
     case Action::continue_back:
     case Action::first_violation:
     case Action::next_mark:
@@ -40,7 +41,7 @@ void item(const View& view, Orders& orders, const ActionInfo& info) {
 }  // namespace
 
 void drawMenuBar(const View& view, Orders& orders) {
-  for (const Menu menu : {Menu::file, Menu::run, Menu::debug, Menu::view, Menu::help}) {
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::run, Menu::debug, Menu::view, Menu::help}) {
     const std::string title(nameOf(menu));
     const bool open = ImGui::BeginMenu(title.c_str());
     note(view, "menu." + title);

@@ -1,6 +1,7 @@
 // What panels hand back: nothing that they draw changes anything by itself.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -36,6 +37,42 @@ struct Tune {
   Settings settings;  // while a control is held: each takes the place of the last, and all are one step of undo
 };
 struct EndTuning {};  // it was let go
+/// What the domain asks of the density. While a control is held each takes the place of the last, until EndTuning.
+struct EditDensity {
+  std::vector<DensityRequest> density;
+  bool held = false;
+};
+struct NameRequest {
+  std::string text;   // being typed …
+  bool done = false;  // … or typed: the name of the one that is selected
+};
+struct PlaceRequest {
+  Point at;  // of a new density constraint
+};
+struct MoveRequest {
+  Point to;  // of the one that is selected and held
+};
+struct SelectRequest {
+  std::optional<std::size_t> index;
+  bool held = false;  // by the mouse, which may move it
+};
+struct SaveTo {
+  std::string path;  // of a session file
+};
+struct WriteNotes {
+  std::string text;
+};
+struct NameBookmark {
+  std::size_t index = 0;
+  std::string name;
+};
+struct DropBookmark {
+  std::size_t index = 0;
+};
+/// What is to become of the newest work that an earlier run left behind.
+struct Kept {
+  enum class What : std::uint8_t { restore, discard, later } what = What::later;
+};
 struct SetSpeed {
   double decisionsPerSecond = 60.0;
 };
@@ -67,7 +104,9 @@ struct ShowPlot {
 using Order =
     std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame, order::Tune,
                  order::EndTuning, order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog,
-                 order::FollowLink, order::ShowRange, order::TypeCondition, order::AddBreakpoint, order::ShowPlot>;
+                 order::FollowLink, order::ShowRange, order::TypeCondition, order::AddBreakpoint, order::ShowPlot,
+                 order::EditDensity, order::NameRequest, order::PlaceRequest, order::MoveRequest, order::SelectRequest,
+                 order::SaveTo, order::WriteNotes, order::NameBookmark, order::DropBookmark, order::Kept>;
 using Orders = std::vector<Order>;
 
 }  // namespace triscope

@@ -7,6 +7,7 @@
 #include "core/density/quadtree.h"
 #include "render/number.h"
 #include "render/star.h"
+#include "ui/density_handles.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -194,6 +195,13 @@ std::string titleOf(const Pick& pick) {
 }  // namespace
 
 void drawInspect(const View& view, Orders& orders) {
+  const DensityUi& density = view.ui.density;
+  if (view.now() != nullptr && density.request && *density.request < view.session.domain()->density.size()) {
+    // What is edited goes first, where it does not have to be scrolled to.
+    inspectRequest(view, orders);
+    ImGui::Dummy({0, view.px(4)});
+    return drawMeshFigures(view, orders);
+  }
   drawMeshFigures(view, orders);
   const Pick& pick = view.ui.selected;
   ImGui::Dummy({0, view.px(4)});

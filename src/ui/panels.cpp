@@ -5,13 +5,14 @@
 namespace triscope {
 
 std::span<const PanelInfo> panels() {
-  static constexpr std::array<PanelInfo, 8> kPanels{{
+  static constexpr std::array<PanelInfo, 9> kPanels{{
       {"Stages", Side::left, drawStages},
       {"Layers", Side::left, drawLayers},
       {"Params", Side::left, drawParams},
       {"Inspect", Side::right, drawInspect},
       {"Why", Side::right, drawWhy},
       {"History", Side::right, drawHistory},
+      {"Notes", Side::right, drawNotes},
       {"Breakpoints", Side::bottom, drawBreakpoints},
       {"Plots", Side::bottom, drawPlots},
   }};

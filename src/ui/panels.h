@@ -23,6 +23,7 @@ void drawStages(const View& view, Orders& orders);
 void drawInspect(const View& view, Orders& orders);
 void drawWhy(const View& view, Orders& orders);
 void drawHistory(const View& view, Orders& orders);
+void drawNotes(const View& view, Orders& orders);
 void drawBreakpoints(const View& view, Orders& orders);
 void drawPlots(const View& view, Orders& orders);
 void drawMeshFigures(const View& view, Orders& orders);
@@ -41,6 +42,8 @@ void drawStatusBar(const View& view, Orders& orders);
 void drawLegendRegion(const View& view, Orders& orders);
 /// The legend over a picture with this upper left corner and size.
 void overlayLegend(const View& view, ImVec2 corner, ImVec2 size);
+/// Over a picture with this upper left corner and size: work left behind can be restored.
+void drawKeptOffer(const View& view, Orders& orders, ImVec2 corner, ImVec2 size);
 /// Size of the legend with its padding; zero when there is none to show.
 ImVec2 legendNeeds(const View& view);
 

@@ -30,7 +30,7 @@ class Object {
 constexpr std::array<std::string_view, 4> kActivities{"idle", "stepping", "playing", "meshing"};
 constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
 constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
-constexpr std::array<std::string_view, 6> kDialogs{"none", "open", "export", "error", "help", "about"};
+constexpr std::array<std::string_view, 7> kDialogs{"none", "open", "save", "export", "error", "help", "about"};
 
 template <class Enum, std::size_t N>
 std::string_view word(const std::array<std::string_view, N>& words, Enum value) {
@@ -171,6 +171,53 @@ std::string debugger(const View& view) {
       .str();
 }
 
+std::string document(const DocumentUi& ui, const DebugUi& debug) {
+  std::vector<std::string> names;
+  for (const Bookmark& mark : debug.bookmarks) names.push_back(jsonText(mark.name));
+  return Object()
+      .text("path", ui.path)
+      .text("notes", ui.notes)
+      .flag("unsaved", ui.unsaved)
+      .flag("saving", ui.saving)
+      .number("kept", static_cast<double>(ui.kept.size()))
+      .flag("offering", ui.offering)
+      .add("bookmark_names", list(names))
+      .str();
+}
+
+std::string density(const View& view) {
+  std::vector<std::string> requests;
+  if (view.session.domain() != nullptr)
+    for (const DensityRequest& request : view.session.domain()->density)
+      requests.push_back(Object()
+                             .number("x", request.at.x)
+                             .number("y", request.at.y)
+                             .number("length", request.length)
+                             .number("rank", request.rank)
+                             .text("name", request.name)
+                             .str());
+  const DensityUi& ui = view.ui.density;
+  return Object()
+      .flag("placing", ui.placing)
+      .number("selected", ui.request ? static_cast<double>(*ui.request) : -1.0)
+      .add("requests", list(requests))
+      .str();
+}
+
+std::string insertion(const View& view) {
+  const InsertionUi& ui = view.ui.insertion;
+  if (!view.inInsertion()) return "{\"phase\": 0}";
+  return Object()
+      .number("phase", static_cast<double>(ui.phase))
+      .number("after", static_cast<double>(ui.after))
+      .number("x", ui.now->at.x)
+      .number("y", ui.now->at.y)
+      .number("vertex", ui.now->event.vertex)
+      .number("walk", static_cast<double>(ui.now->walk.size()))
+      .number("cavity", static_cast<double>(ui.now->cavity.triangles.size()))
+      .str();
+}
+
 std::string color(Color c) { return fmt::format("[{}, {}, {}]", c.r, c.g, c.b); }
 
 }  // namespace
@@ -212,6 +259,10 @@ std::string describeWindow(const View& view, const std::string& caption) {
       .add("layers", layers(ui))
       .add("selection", selection(view))
       .add("debug", debugger(view))
+      .add("document", document(ui.document, ui.debug))
+      .add("density", density(view))
+      .add("insertion", insertion(view))
+      .number("undo", static_cast<double>(ui.undo.size()))
       .add("colors", Object()
                          .add("background", color(view.theme().background))
                          .add("surface", color(view.theme().surface))

@@ -3,22 +3,26 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/debug/insertion.h"
 #include "core/session.h"
 #include "render/camera.h"
 #include "render/pick.h"
 #include "render/scene.h"
 #include "render/view_options.h"
+#include "ui/autosave.h"
 #include "ui/debug_state.h"
 #include "ui/fonts.h"
 #include "ui/order.h"
 
 namespace triscope {
 
-enum class Dialog : std::uint8_t { none, open, export_to, error, help, about };
+enum class Dialog : std::uint8_t { none, open, save_as, export_to, error, help, about };
 
 /// Where a widget was drawn last, for tests that press real buttons.
 struct WidgetRect {
@@ -26,6 +30,39 @@ struct WidgetRect {
   ImVec2 lo;
   ImVec2 hi;
   bool enabled = true;
+};
+
+/// What undo goes back to: the parameters, and the domain with what it asks of the density.
+struct Edit {
+  Settings settings;
+  std::shared_ptr<const Domain> domain;
+  friend bool operator==(const Edit&, const Edit&) = default;
+};
+
+/// The session as a file.
+struct DocumentUi {
+  std::string path;  // empty: not saved yet
+  std::string notes;
+  bool unsaved = false;
+  bool saving = false;
+  std::vector<KeptWork> kept;  // left behind by earlier runs, the newest first
+  bool offering = false;       // to restore it
+};
+
+/// Density constraints of the domain as they are edited.
+struct DensityUi {
+  bool placing = false;                // a click places one
+  std::optional<std::size_t> request;  // that is selected, in Domain::density
+  bool held = false;                   // by the mouse
+  std::optional<std::string> name;     // being typed
+};
+
+/// The insertion that is stepped through.
+struct InsertionUi {
+  std::shared_ptr<const Insertion> now;  // null: none
+  InsertionPhase phase = InsertionPhase::candidate;
+  std::uint64_t after = 0;                             // decisions made once it is done
+  std::array<std::string, kInsertionPhases> captions;  // of the phases
 };
 
 /// Everything about the window that is not the run itself.
@@ -42,8 +79,11 @@ struct UiState {
   std::optional<Error> error;   // shown by Dialog::error
   std::string message;          // the last thing worth telling, in the status bar
   std::optional<Point> cursor;  // world, while over the canvas
-  std::vector<Settings> undo;
-  std::vector<Settings> redo;
+  std::vector<Edit> undo;
+  std::vector<Edit> redo;
+  DocumentUi document;
+  DensityUi density;
+  InsertionUi insertion;
   DebugUi debug;
   bool exporting = false;
   double frameMs = 0.0;
@@ -63,6 +103,12 @@ struct View {
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
   [[nodiscard]] const Theme& theme() const { return scene.theme; }
+  /// Whether what is shown is the state of the insertion's phase: on the way there, it is not.
+  [[nodiscard]] bool inInsertion() const {
+    const InsertionUi& insertion = ui.insertion;
+    if (insertion.now == nullptr || now() == nullptr || session.stale()) return false;
+    return now()->state.tick == (insertion.phase == InsertionPhase::filled ? insertion.after : insertion.after - 1);
+  }
   /// Pixels for a length at 100 %.
   [[nodiscard]] float px(double at100) const { return static_cast<float>(at100 * ui.scale()); }
 };

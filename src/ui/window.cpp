@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/result.h"
@@ -102,6 +103,8 @@ void waitForWork(const LoopState& loop) {
     glfwWaitEventsTimeout(kRunningWait);
   else if (ImGui::GetIO().WantTextInput)
     glfwWaitEventsTimeout(kCaretWait);
+  else if (const std::optional<double> due = loop.app->due())
+    glfwWaitEventsTimeout(std::max(*due, 0.01));
   else
     glfwWaitEvents();
 }
@@ -135,12 +138,17 @@ Status drawFrame(GLFWwindow* window, App& app, const std::string& screenshot) {
 
 int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& options) {
   int framesSettled = 0;
+  std::string title;
   while (glfwWindowShouldClose(window) == GLFW_FALSE && !app.closing()) {
     waitForWork(loop);
     if (app.poll()) loop.framesWanted = std::max(loop.framesWanted, 1);
     if (app.animating()) loop.framesWanted = std::max(loop.framesWanted, 1);
     if (ImGui::GetIO().WantTextInput) loop.framesWanted = std::max(loop.framesWanted, 1);
     if (!options.screenshot.empty()) loop.framesWanted = kFramesAfterEvent;
+    if (std::string now = app.title(); now != title) {
+      title = std::move(now);
+      glfwSetWindowTitle(window, title.c_str());
+    }
     if (loop.framesWanted <= 0) continue;
     --loop.framesWanted;
     const bool last = !options.screenshot.empty() && app.settled() && ++framesSettled == 2 * kFramesAfterEvent;

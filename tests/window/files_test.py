@@ -69,7 +69,7 @@ class Files(harness.WindowTest):
 
     def test_export_by_dialog(self):
         for extension in (".msh", ".vtu", ".svg", ".png"):
-            self.window.key("ctrl+s")
+            self.window.key("ctrl+e")
             self.window.click("export" + extension)
             self.window.click("export.ok")
             state = self.window.wait(lambda s: s["message"].startswith("Wrote") and extension in s["message"], extension)
@@ -78,7 +78,7 @@ class Files(harness.WindowTest):
             self.assertGreater(os.path.getsize(path), 10000)
 
     def test_export_where_nothing_can_be_written(self):
-        self.window.key("ctrl+s")
+        self.window.key("ctrl+e")
         self.window.widget("export.path")
         x, y = self.window.widget("export.path")
         self.window.press(x, y)

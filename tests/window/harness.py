@@ -71,7 +71,9 @@ class Window:
         self.display = display
         self.folder = tempfile.TemporaryDirectory()
         self.state_path = os.path.join(self.folder.name, "state.json")
-        self.environment = dict(os.environ, DISPLAY=display.name, **(environment or {}))
+        # Work that is kept automatically goes to a folder of its own, not to the user's.
+        self.environment = dict(os.environ, DISPLAY=display.name, XDG_STATE_HOME=os.path.join(self.folder.name, "state"),
+                                **(environment or {}))
         self.started = time.monotonic()
         self.process = subprocess.Popen(
             [PROGRAM, "--state-file", self.state_path,

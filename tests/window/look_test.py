@@ -118,7 +118,7 @@ class Parameters(harness.WindowTest):
         window.key("ctrl+z")
         window.wait(lambda s: s["settings"] == start["settings"] and s["hash"] == start["hash"], "one undo for the drag")
         window.key("ctrl+z")
-        window.wait(lambda s: s["message"] == "No parameter has been changed.", "nothing more to undo")
+        window.wait(lambda s: s["message"] == "Nothing has been changed.", "nothing more to undo")
         window.key("ctrl+y")
         window.wait(lambda s: s["hash"] == seen[-1]["hash"], "the drag again")
 
@@ -137,7 +137,7 @@ class Parameters(harness.WindowTest):
         window.release()
         self.assertEqual(window.settled()["hash"], start["hash"])
         window.key("ctrl+z")
-        window.wait(lambda s: s["message"] == "No parameter has been changed.", "nothing to undo")
+        window.wait(lambda s: s["message"] == "Nothing has been changed.", "nothing to undo")
 
     def test_smallest_edge(self):
         window = self.window

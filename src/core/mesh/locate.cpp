@@ -5,9 +5,14 @@
 
 namespace triscope {
 
-Location walkTo(const Mesh& mesh, std::int32_t start, Point p) {
+namespace {
+
+// The walk is the innermost loop of every insertion: telling of each triangle costs nothing where nobody listens.
+template <class Visit>
+Location walk(const Mesh& mesh, std::int32_t start, Point p, Visit visit) {
   std::int32_t slot = start;
   int from = -1;
+  visit(slot);
   // A constrained triangulation may lead the walk in a circle; then the straight walk decides.
   for (std::size_t budget = 2 * mesh.triangles.size() + 8; budget > 0; --budget) {
     const Triangle& triangle = triangleAt(mesh, slot);
@@ -29,12 +34,22 @@ Location walkTo(const Mesh& mesh, std::int32_t start, Point p) {
     const std::int32_t across = triangle.adj[static_cast<std::size_t>(exit)];
     slot = triangleOf(across);
     from = cornerOf(across);
+    visit(slot);
   }
   const Triangle& triangle = triangleAt(mesh, start);
   const Point a = pointOf(mesh, triangle.v[0]);
   const Point b = pointOf(mesh, triangle.v[1]);
   const Point c = pointOf(mesh, triangle.v[2]);
-  return walkStraight(mesh, start, {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0}, p);
+  const Location location = walkStraight(mesh, start, {(a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0}, p);
+  visit(location.triangle);
+  return location;
+}
+
+}  // namespace
+
+Location walkTo(const Mesh& mesh, std::int32_t start, Point p, std::vector<std::int32_t>* passed) {
+  if (passed == nullptr) return walk(mesh, start, p, [](std::int32_t) {});
+  return walk(mesh, start, p, [passed](std::int32_t slot) { passed->push_back(slot); });
 }
 
 Location walkStraight(const Mesh& mesh, std::int32_t start, Point from, Point p) {

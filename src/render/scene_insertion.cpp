@@ -1,0 +1,127 @@
+// The phases of an insertion, over the mesh before it.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/geometry/circumcircle.h"
+#include "core/mesh/edit.h"
+#include "render/number.h"
+#include "render/scene_parts.h"
+#include "render/scene_shapes.h"
+
+namespace triscope::detail {
+namespace {
+
+Point centroid(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
+}
+
+void addPoint(const SceneInput& in, Layer& layer, bool there) {
+  const Point at = in.insertion->insertion->at;
+  layer.marks.push_back(there ? oneMark(at, Shape::circle, 8.0f, in.theme.candidate, in.theme.background)
+                              : oneMark(at, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
+}
+
+void addCandidate(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Insertion& insertion = *in.insertion->insertion;
+  if (insertion.candidate >= 0) {
+    layer.triangles.push_back(patch(mesh, {insertion.candidate}, faded(in.theme.candidate, 0.25), false));
+    layer.lines.push_back(outlineOf(mesh, insertion.candidate, {in.theme.candidate, 2.2f, Dash::solid, false}));
+  }
+  if (insertion.splits >= 0)
+    layer.lines.push_back(
+        polyline({pointOf(mesh, startOf(mesh, insertion.splits)), pointOf(mesh, endOf(mesh, insertion.splits))}, false,
+                 {in.theme.candidate, 2.6f, Dash::solid, false}));
+}
+
+/// The measured length as a circle or a line, and what it is held against as a dashed circle.
+void addMeasured(const SceneInput& in, Layer& layer) {
+  const Insertion& insertion = *in.insertion->insertion;
+  if (!insertion.measured) return;
+  const Measured& m = *insertion.measured;
+  const bool circumcircle = insertion.candidate >= 0 && insertion.event.rule != Rule::step5;
+  if (circumcircle) addCircle(in, layer, {m.from, m.length, 0.0f, {in.theme.candidate, 1.6f, Dash::solid, false}});
+  addCircle(in, layer, {m.from, m.limit, 0.0f, {in.theme.refused, 1.6f, Dash::dashed, false}});
+  layer.lines.push_back(polyline({m.from, m.to}, false, {in.theme.candidate, 1.6f, Dash::solid, false}));
+  if (!in.options.labels) return;
+  // Above and below the outermost circle, where nothing of the insertion is in their way.
+  const double reach = circumcircle ? std::max(m.length, m.limit) : m.limit;
+  const auto beside = [&](Point at, float dy, const std::string& text, Color color) {
+    Label label = note(in, at, text, color);
+    label.dx = 0.0f;
+    label.dy = dy;
+    label.anchor = Anchor::centre;
+    layer.labels.push_back(std::move(label));
+  };
+  beside(m.from + Point{0.0, reach}, -7.0f, (circumcircle ? "R " : "length ") + compact(m.length), in.theme.candidate);
+  beside(m.from - Point{0.0, reach}, 17.0f, "limit " + compact(m.limit), in.theme.refused);
+}
+
+/// Through the middles of the triangles, to the point.
+void addWalk(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Insertion& insertion = *in.insertion->insertion;
+  if (insertion.walk.empty()) return;
+  layer.triangles.push_back(patch(mesh, insertion.walk, faded(in.theme.selection, 0.28), false));
+  for (const std::int32_t slot : insertion.walk)
+    layer.lines.push_back(outlineOf(mesh, slot, {in.theme.selection, 1.4f, Dash::solid, false}));
+  std::vector<Point> way;
+  for (const std::int32_t slot : insertion.walk) way.push_back(centroid(mesh, slot));
+  const Point first = way.front();
+  way.push_back(insertion.at);
+  layer.lines.push_back(polyline(std::move(way), false, {in.theme.candidate, 2.2f, Dash::solid, false}));
+  layer.marks.push_back(oneMark(first, Shape::square, 7.0f, in.theme.candidate, in.theme.background));
+}
+
+/// The triangles that give way with their circumcircles, and the rim that stays.
+void addCavity(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Cavity& cavity = in.insertion->insertion->cavity;
+  layer.triangles.push_back(patch(mesh, cavity.triangles, in.theme.removed, true));
+  for (const std::int32_t slot : cavity.triangles) {
+    layer.lines.push_back(outlineOf(mesh, slot, {in.theme.removed, 1.4f, Dash::dotted, false}));
+    const Triangle& t = triangleAt(mesh, slot);
+    const Circumcircle circle = circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
+    if (std::isfinite(circle.squaredRadius))
+      layer.circles.push_back({circle.centre,
+                               std::sqrt(circle.squaredRadius),
+                               0.0f,
+                               {faded(in.theme.removed, 0.55), 1.0f, Dash::dotted, false}});
+  }
+  LineBatch rim;
+  rim.style = {in.theme.created, 2.2f, Dash::solid, false};
+  for (const std::int32_t half : cavity.rim) {
+    const auto first = static_cast<std::uint32_t>(rim.points.size());
+    rim.points.push_back(pointOf(mesh, startOf(mesh, half)));
+    rim.points.push_back(pointOf(mesh, endOf(mesh, half)));
+    rim.segments.push_back({first, first + 1});
+  }
+  layer.lines.push_back(std::move(rim));
+}
+
+}  // namespace
+
+void buildInsertion(const SceneInput& in, Layer& layer) {
+  switch (in.insertion->phase) {
+    case InsertionPhase::candidate:
+      addCandidate(in, layer);
+      addMeasured(in, layer);
+      addPoint(in, layer, false);
+      break;
+    case InsertionPhase::walk:
+      addCandidate(in, layer);
+      addWalk(in, layer);
+      addPoint(in, layer, false);
+      break;
+    case InsertionPhase::cavity:
+      addCavity(in, layer);
+      addPoint(in, layer, true);
+      break;
+    case InsertionPhase::filled:
+      break;
+  }
+}
+
+}  // namespace triscope::detail

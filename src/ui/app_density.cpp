@@ -1,0 +1,94 @@
+// Density constraints edited with the mouse: each edit is another domain, and its mesh is made at once.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "core/density/quadtree.h"
+#include "core/io/domain_text.h"
+#include "ui/app.h"
+#include "ui/density_handles.h"
+
+namespace triscope {
+namespace {
+
+Point within(const Box& box, Point p) {
+  return {std::clamp(p.x, box.lo.x, box.hi.x), std::clamp(p.y, box.lo.y, box.hi.y)};
+}
+
+/// Half of what is wanted there now, so that a new constraint shows; three digits are easier to read on.
+double suggestedLength(const MeshState& state, const Domain& domain, Point p) {
+  const double extent = std::max(domain.bounds.width(), domain.bounds.height());
+  const double now = state.tree.cells.empty() ? extent / 20.0 : edgeLengthAt(state.tree, p);
+  const double half = std::strtod(fmt::format("{:.3g}", 0.5 * now).c_str(), nullptr);
+  return std::max({half, domain.minEdgeLength, state.minEdge});
+}
+
+}  // namespace
+
+void App::editDensity(std::vector<DensityRequest> density, bool held) {
+  const Edit edit{session_.settings(), withDensity(*session_.domain(), std::move(density))};
+  if (held) return tune(edit);
+  remember(inForce());
+  bring(edit);
+}
+
+void App::nameRequest(const order::NameRequest& typed) {
+  DensityUi& ui = ui_.density;
+  if (!typed.done) {
+    ui.name = typed.text;
+    return;
+  }
+  const std::optional<std::string> name = std::exchange(ui.name, std::nullopt);
+  std::vector<DensityRequest> density = session_.domain()->density;
+  if (!name || !ui.request || *ui.request >= density.size() || density[*ui.request].name == *name) return;
+  density[*ui.request].name = *name;
+  editDensity(std::move(density), false);
+}
+
+void App::placeRequest(Point at) {
+  const Domain& domain = *session_.domain();
+  DensityRequest request;
+  request.at = within(domain.bounds, at);
+  request.length = suggestedLength(shown_->state, domain, request.at);
+  std::vector<DensityRequest> density = domain.density;
+  density.push_back(request);
+  const std::size_t index = density.size() - 1;
+  editDensity(std::move(density), false);
+  selectRequest(index);
+}
+
+void App::moveRequest(Point to) {
+  const Domain& domain = *session_.domain();
+  std::vector<DensityRequest> density = domain.density;
+  DensityRequest& request = density[*ui_.density.request];
+  const Point by = within(domain.bounds, to) - handleOf(request);
+  request.at = request.at + by;
+  request.to = request.to + by;
+  if (request != domain.density[*ui_.density.request]) editDensity(std::move(density), true);
+}
+
+void App::deleteRequest() {
+  std::vector<DensityRequest> density = session_.domain()->density;
+  density.erase(density.begin() + static_cast<std::ptrdiff_t>(*ui_.density.request));
+  ui_.density.request.reset();
+  editDensity(std::move(density), false);
+}
+
+void App::selectRequest(std::optional<std::size_t> index) {
+  select({});
+  ui_.density.request = index;
+  wantedTab_ = "Inspect";
+}
+
+void App::togglePlacing() {
+  DensityUi& density = ui_.density;
+  density.placing = !density.placing;
+  if (density.placing)
+    ui_.message = "Click: place a density constraint. Drag one: move it. Del: delete it. Esc: done.";
+  else
+    ui_.message.clear();
+}
+
+}  // namespace triscope

@@ -1,0 +1,114 @@
+#include "ui/density_handles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/density/quadtree.h"
+#include "render/number.h"
+#include "ui/style.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kReach = 9.0;   // pixels at 100 %
+constexpr double kHandle = 6.0;  // radius
+constexpr double kSlack = 3.0;   // a press that moves less moves nothing
+
+bool shown(const View& view) {
+  return view.now() != nullptr && view.session.domain() != nullptr &&
+         (view.ui.density.placing || view.ui.density.request || view.ui.options.constraints);
+}
+
+ImVec2 onScreen(const View& view, ImVec2 corner, Point world) {
+  const Point pixel = toPixel(view.ui.camera, world);
+  return {corner.x + static_cast<float>(pixel.x), corner.y + static_cast<float>(pixel.y)};
+}
+
+Point mouseInWorld(const View& view, ImVec2 corner) {
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  return toWorld(view.ui.camera, {static_cast<double>(mouse.x - corner.x), static_cast<double>(mouse.y - corner.y)});
+}
+
+std::optional<std::size_t> handleUnderMouse(const View& view, ImVec2 corner) {
+  if (!shown(view)) return std::nullopt;
+  const Point mouse = mouseInWorld(view, corner);
+  std::optional<std::size_t> best;
+  double nearest = kReach * view.ui.scale() / view.ui.camera.scale;
+  const std::vector<DensityRequest>& density = view.session.domain()->density;
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    if (density[k].where == DensityRequest::Where::loop) continue;
+    const double away = distance(handleOf(density[k]), mouse);
+    if (away > nearest) continue;
+    nearest = away;
+    best = k;
+  }
+  return best;
+}
+
+std::string wishOf(const DensityRequest& request) {
+  return request.rank > 0 ? fmt::format("rank {}", request.rank) : "h " + compact(request.length, 3);
+}
+
+void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool selected) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = onScreen(view, corner, handleOf(request));
+  const ImU32 ink = toImU32(accentOf(view.theme()));
+  const ImU32 halo = toImU32(view.theme().background);
+  const float radius = view.px(kHandle);
+  if (request.where == DensityRequest::Where::box) {
+    const ImVec2 a = onScreen(view, corner, request.at);
+    const ImVec2 b = onScreen(view, corner, request.to);
+    list.AddRect({a.x, b.y}, {b.x, a.y}, ink, 0.0f, ImDrawFlags_None, view.px(selected ? 2.0 : 1.2));
+  }
+  list.AddCircleFilled(at, radius + view.px(2.5), halo);
+  list.AddCircle(at, radius, ink, 0, view.px(2));
+  list.AddCircleFilled(at, selected ? radius : view.px(2), ink);
+  const ImFont& font = *view.fonts.small;
+  const std::string text = request.name.empty() ? wishOf(request) : request.name + ", " + wishOf(request);
+  const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, text.c_str());
+  const ImVec2 lo{at.x + radius + view.px(5), at.y - 0.5f * size.y};
+  list.AddRectFilled({lo.x - view.px(3), lo.y - view.px(1)}, {lo.x + size.x + view.px(3), lo.y + size.y + view.px(1)},
+                     (halo & 0x00FFFFFFu) | 0xD8000000u, view.px(3));
+  list.AddText(&font, font.FontSize, lo, toImU32(view.theme().text), text.c_str());
+}
+
+}  // namespace
+
+Point handleOf(const DensityRequest& request) {
+  return request.where == DensityRequest::Where::box ? midpoint(request.at, request.to) : request.at;
+}
+
+bool densityMouse(const View& view, Orders& orders, ImVec2 corner) {
+  const DensityUi& ui = view.ui.density;
+  if (ui.held) {
+    const float slack = view.px(kSlack);
+    const bool moved = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > slack * slack;
+    if (ImGui::IsItemActive() && moved) orders.emplace_back(order::MoveRequest{mouseInWorld(view, corner)});
+    if (!ImGui::IsItemActive()) orders.emplace_back(order::EndTuning{});
+    return true;
+  }
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift) {
+    const std::optional<std::size_t> under = handleUnderMouse(view, corner);
+    if (under) orders.emplace_back(order::SelectRequest{under, true});
+    return under.has_value();
+  }
+  const bool places = (ui.placing && !io.KeyShift && !io.KeyCtrl) || io.KeyAlt;
+  const float slack = view.px(kSlack);
+  const bool clicked = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+                       io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <= slack * slack;
+  if (!places || !clicked || view.now() == nullptr) return false;
+  orders.emplace_back(order::PlaceRequest{mouseInWorld(view, corner)});
+  return true;
+}
+
+void drawDensityHandles(const View& view, ImVec2 corner) {
+  if (!shown(view)) return;
+  const std::vector<DensityRequest>& density = view.session.domain()->density;
+  for (std::size_t k = 0; k < density.size(); ++k)
+    if (density[k].where != DensityRequest::Where::loop) handle(view, corner, density[k], view.ui.density.request == k);
+}
+
+}  // namespace triscope

@@ -1,0 +1,21 @@
+// Density constraints of the domain over the picture, and the mouse on them.
+#pragma once
+
+#include "ui/view.h"
+
+namespace triscope {
+
+/// Where the handle of a constraint is that has one: its point, or the middle of its box.
+Point handleOf(const DensityRequest& request);
+
+/// Takes the mouse where it places or moves a constraint; to be called after the canvas' own item. True when it did:
+/// then nothing else is to take it.
+bool densityMouse(const View& view, Orders& orders, ImVec2 corner);
+
+/// The handles, over a picture with this upper left corner.
+void drawDensityHandles(const View& view, ImVec2 corner);
+
+/// What the Inspect panel shows of the constraint that is selected.
+void inspectRequest(const View& view, Orders& orders);
+
+}  // namespace triscope
