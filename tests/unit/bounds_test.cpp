@@ -35,6 +35,10 @@ TEST_P(SampleDomains, MeetEveryBound) { support::expectPromise(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Samples, SampleDomains, testing::ValuesIn(samples()), nameOf);
 INSTANTIATE_TEST_SUITE_P(TestData, SampleDomains,
                          testing::Values(BoundsCase{support::testData() / "step.json"},
+                                         BoundsCase{support::testData() / "corner_over_wall.json"},
+                                         BoundsCase{support::testData() / "corner_to_corner.json"},
+                                         BoundsCase{support::testData() / "crack_tip_at_wall.json"},
+                                         BoundsCase{support::testData() / "plate_with_circle.json"},
                                          BoundsCase{support::testData() / "blunt_body.json"},
                                          BoundsCase{support::testData() / "blunt_body.json", 1.0}),
                          nameOf);

@@ -98,10 +98,42 @@ TEST(Sources, GapsAskForAFractionOfTheirWidth) {
       << "sides of a square do not face each other across a narrow place";
 }
 
+TEST(Sources, ACornerThatFacesAWallStandsAtAGap) {
+  struct Case {
+    const char* domain;
+    double width;
+  };
+  for (const Case& c : {Case{R"({"min_edge_length": 0.001, "outer": [[0, 0], [10, 0], [10, 10], [0, 10]],
+                               "holes": [[[5, 0.02], [7, 5], [5, 9], [3, 5]]]})",
+                             0.02},  // above a wall
+                        Case{R"({"min_edge_length": 0.001, "outer": [[0, 0], [10, 0], [10, 10], [7, 10], [5, 0.02],
+                               [3, 10], [0, 10]]})",
+                             0.02},  // of the outer loop
+                        Case{R"({"min_edge_length": 0.001, "outer": [[0, 0], [10, 0], [10, 10], [0, 10]],
+                               "holes": [[[2, 5], [4.99, 5], [3, 7]], [[5.01, 5], [8, 5], [7, 3]]]})",
+                             0.02},  // facing another corner
+                        Case{R"({"min_edge_length": 0.001, "outer": [[0, 0], [10, 0], [10, 10], [0, 10]],
+                               "segments": [[[5, 5], [5, 9.98]]]})",
+                             0.02}}) {  // the end of a chain
+    const auto gaps = from(Rule::gap, c.domain);
+    ASSERT_FALSE(gaps.empty()) << c.domain;
+    EXPECT_NEAR(shortest(gaps), 0.3 * c.width, 1e-6) << c.domain;
+  }
+}
+
 TEST(Sources, InputEdgesAskForTheirOwnLengthHoweverShort) {
   const auto edges = from(Rule::short_edge, R"({"min_edge_length": 1,
     "outer": [[0, 0], [8, 0], [8, 4], [7.75, 4.25], [8, 8], [0, 8]]})");
   EXPECT_NEAR(shortest(edges), 0.25 * std::sqrt(2.0), 1e-12);
+}
+
+TEST(Sources, ALongThinBoxHasNoHoles) {
+  const auto requests = from(Rule::user_request, R"({"min_edge_length": 0.001,
+    "outer": [[0, 0], [50, 0], [50, 2], [0, 2]], "density": [{"box": [[0, 0.999], [50, 1.001]], "length": 0.001}]})");
+  std::vector<double> across;
+  for (const Constraint& c : requests) across.push_back(c.at.x);
+  std::ranges::sort(across);
+  for (std::size_t k = 1; k < across.size(); ++k) ASSERT_LE(across[k] - across[k - 1], 0.004);
 }
 
 TEST(Sources, RequestsReachTheirPointBoxAndLoop) {

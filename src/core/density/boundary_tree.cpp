@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 
 #include "core/geometry/predicates.h"
@@ -79,6 +80,16 @@ bool rayMeetsBox(Point origin, Point direction, const Box& box, double within) {
   return lo <= hi;
 }
 
+double squaredDistanceTo(const Box& box, Point p) {
+  const Point d{std::max({box.lo.x - p.x, 0.0, p.x - box.hi.x}), std::max({box.lo.y - p.y, 0.0, p.y - box.hi.y})};
+  return dot(d, d);
+}
+
+bool contains(const Cone& cone, Point p) {
+  const Point d = p - cone.apex;
+  return cross(cone.first, d) <= 0.0 && cross(d, cone.last) <= 0.0;
+}
+
 bool touch(const Curve& l, const Curve& r) { return l.a == r.b || l.b == r.a || l.a == r.a || l.b == r.b; }
 
 // Calls visit(piece index) for the pieces of every leaf whose box `wanted` accepts.
@@ -129,6 +140,36 @@ RayHit castRay(const BoundaryTree& tree, const Domain& domain, Point origin, Poi
     if (s > 0.0 && u >= 0.0 && u <= 1.0 && s < hit.distance) hit = {s, k};
   });
   return hit;
+}
+
+Nearest nearestIn(const BoundaryTree& tree, const Domain& domain, const Cone& cone) {
+  Nearest nearest;
+  double least = 1e300;
+  const auto offer = [&](Point p, std::uint32_t piece) {
+    const double d = squaredDistance(cone.apex, p);
+    if (d > least || (d == least && piece >= nearest.piece)) return;
+    least = d;
+    nearest = {std::sqrt(d), p, piece};
+  };
+  const auto wanted = [&](const Box& box) { return squaredDistanceTo(box, cone.apex) <= least; };
+  descend(tree, wanted, [&](std::uint32_t k) {
+    const BoundaryPiece& piece = tree.pieces[k];
+    const Curve& curve = domain.curves[piece.curve];
+    if (curve.a == cone.apex || curve.b == cone.apex) return;
+    const Point edge = piece.b - piece.a;
+    const double along = dot(cone.apex - piece.a, edge) / dot(edge, edge);
+    for (const Point p : {piece.a + std::clamp(along, 0.0, 1.0) * edge, piece.a, piece.b})
+      if (contains(cone, p)) offer(p, k);
+    // Where a side of the cone crosses the piece.
+    for (const Point side : {cone.first, cone.last}) {
+      const double across = cross(side, edge);
+      if (across == 0.0) continue;
+      const double s = cross(piece.a - cone.apex, edge) / across;
+      const double u = cross(piece.a - cone.apex, side) / across;
+      if (s > 0.0 && u >= 0.0 && u <= 1.0) offer(piece.a + u * edge, k);
+    }
+  });
+  return nearest;
 }
 
 bool insideDomain(const BoundaryTree& tree, Point p) {

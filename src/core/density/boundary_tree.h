@@ -36,6 +36,19 @@ struct RayHit {
 /// curves that share an end with it do not count.
 RayHit castRay(const BoundaryTree& tree, const Domain& domain, Point origin, Point direction, std::uint32_t own);
 
+/// Directions from `first`, turning clockwise by at most 180°, to `last`; both count.
+struct Cone {
+  Point apex, first, last;
+};
+
+struct Nearest {
+  double distance = 1e300;  // 1e300 when the cone meets nothing
+  Point at;
+  std::uint32_t piece = 0;
+};
+/// Point of the boundary nearest to the apex of a cone, in the cone. Curves that end in the apex do not count.
+Nearest nearestIn(const BoundaryTree& tree, const Domain& domain, const Cone& cone);
+
 /// Even-odd rule by a horizontal ray; chains do not count.
 bool insideDomain(const BoundaryTree& tree, Point p);
 

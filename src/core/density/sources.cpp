@@ -1,6 +1,7 @@
 #include "core/density/sources.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/density/boundary_tree.h"
 #include "core/density/quadtree.h"
@@ -10,6 +11,8 @@ namespace triscope {
 namespace {
 
 constexpr double kFacing = -0.5;  // cosine between the normals of two pieces that face each other across a gap
+
+constexpr double kMostInBox = 4e6;  // wishes: a box that needs more would hold over a hundred million triangles
 
 struct Search {
   const Domain& domain;
@@ -110,6 +113,37 @@ void gapsOnSide(Search& search, const BoundaryTree& boundary, std::uint32_t inde
   }
 }
 
+// What lies ahead of a corner that juts into the domain, between the normals of the pieces that meet there: rays along
+// those normals pass it by on either side.
+void gapAhead(Search& search, const BoundaryTree& boundary, std::uint32_t index, Point in, Point out, Point at) {
+  const Nearest wall = nearestIn(boundary, search.domain, {at, perpendicular(in), perpendicular(out)});
+  if (wall.distance >= 0.25 * search.extent) return;
+  const double wish =
+      std::max(search.settings.gapFraction * wall.distance, shortestPiece(search, search.domain.curves[index]));
+  for (const Point p : {at, midpoint(at, wall.at), wall.at}) search.ask(p, wish, Rule::gap, index);
+}
+
+void gapsAtCorners(Search& search, const BoundaryTree& boundary, const Loop& loop) {
+  for (std::uint32_t k = 0; k < loop.curveCount; ++k) {
+    const std::uint32_t index = loop.firstCurve + k;
+    const Curve& curve = search.domain.curves[index];
+    const Point in = derivativeAt(curve, 1.0);
+    const bool last = k + 1 == loop.curveCount;
+    if (loop.role == LoopRole::chain && k == 0) {
+      const Point back = -1.0 * derivativeAt(curve, 0.0);
+      gapAhead(search, boundary, index, back, -1.0 * back, curve.a);
+    }
+    if (loop.role == LoopRole::chain && last) {
+      gapAhead(search, boundary, index, in, -1.0 * in, curve.b);
+      continue;
+    }
+    const Point out = derivativeAt(search.domain.curves[last ? loop.firstCurve : index + 1], 0.0);
+    const double turn = cross(in, out);
+    if (turn < 0.0) gapAhead(search, boundary, index, in, out, curve.b);
+    if (turn > 0.0 && loop.role == LoopRole::chain) gapAhead(search, boundary, index, -1.0 * out, -1.0 * in, curve.b);
+  }
+}
+
 void gaps(Search& search) {
   const BoundaryTree boundary = boundaryTreeOf(search.domain, 10.0 * trig::kDegree);
   for (const Loop& loop : search.domain.loops) {
@@ -117,6 +151,7 @@ void gaps(Search& search) {
       gapsOnSide(search, boundary, c, 1.0);
       if (loop.role == LoopRole::chain) gapsOnSide(search, boundary, c, -1.0);
     }
+    gapsAtCorners(search, boundary, loop);
   }
 }
 
@@ -134,9 +169,10 @@ void requests(Search& search) {
     } else if (request.where == DensityRequest::Where::box) {
       // One wish per cell of the rank that holds the length: its side is at least 4 lengths.
       const Point size = request.to - request.at;
-      const double step = 2.0 * std::max(wish, search.minEdge);
-      const int nx = static_cast<int>(std::clamp(size.x / step, 1.0, 2000.0)) + 1;
-      const int ny = static_cast<int>(std::clamp(size.y / step, 1.0, 2000.0)) + 1;
+      double step = 2.0 * std::max(wish, search.minEdge);
+      step = std::max(step, std::sqrt(size.x * size.y / kMostInBox));
+      const int nx = static_cast<int>(std::clamp(size.x / step, 1.0, kMostInBox)) + 1;
+      const int ny = static_cast<int>(std::clamp(size.y / step, 1.0, kMostInBox)) + 1;
       for (int j = 0; j <= ny; ++j) {
         for (int i = 0; i <= nx; ++i) {
           search.ask(request.at + Point{size.x * i / nx, size.y * j / ny}, wish, Rule::user_request, index);

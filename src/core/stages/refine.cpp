@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/geometry/predicates.h"
 #include "core/geometry/trig.h"
 #include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
@@ -120,7 +121,7 @@ int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
     const Point p = pointOf(mesh, t.v[static_cast<std::size_t>(i)]);
     const Point q = pointOf(mesh, t.v[static_cast<std::size_t>(next3(i))]);
     const Point r = pointOf(mesh, t.v[static_cast<std::size_t>(prev3(i))]);
-    if (dot(q - p, r - p) < 0.0) return i;
+    if (dotSign(p, q, r) < 0) return i;
   }
   return -1;
 }
