@@ -101,13 +101,13 @@ void SessionWorker::change(const Settings& settings) {
     const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(), [first](const Checkpoint& c) {
       return c.state->stage < first || (c.state->stage == first && !c.state->cursor.begun);
     });
-    const Checkpoint start = *last;  // there is always one: the first stage's
+    const Checkpoint& start = *last;  // there is always one: the first stage's
     state_.settings = settings;
     setAsideHistory(start.state->tick);
     history_.changeSettings(settings);
     returnTo(*start.state, start.events);
     last_ = start.last;
-    std::erase_if(checkpoints_, [&start](const Checkpoint& c) { return c.state->tick > start.state->tick; });
+    std::erase_if(checkpoints_, [this](const Checkpoint& c) { return c.state->tick > state_.tick; });
     cutRun();
   }
   head({.kind = toEnd ? Goal::Kind::end : Goal::Kind::tick, .tick = tick}, Activity::meshing);
