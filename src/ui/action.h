@@ -118,7 +118,7 @@ bool isFunctionKey(int key);
 std::string_view nameOf(Menu menu);
 /// "Ctrl+Shift+F11".
 std::string textOf(Chord chord);
-/// "F10, Shift+Right"; empty when the action has no key.
+/// "Shift+Right or F10"; empty when the action has no key.
 std::string keysOf(const ActionInfo& info);
 /// docs/keys.md.
 std::string keysAsMarkdown();

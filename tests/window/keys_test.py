@@ -5,7 +5,7 @@ import unittest
 
 import harness
 
-NAMES = {"Esc": "Escape", "PageUp": "Prior", "PageDown": "Next", "Space": "space", "[": "bracketleft",
+NAMES = {"Esc": "Escape", "Del": "Delete", "PageUp": "Prior", "PageDown": "Next", "Space": "space", "[": "bracketleft",
          "]": "bracketright", ",": "comma", ".": "period", "=": "equal", "-": "minus", "+": "plus", "?": "question",
          "Keypad +": "KP_Add", "Keypad -": "KP_Subtract"}
 
@@ -168,7 +168,7 @@ class Complete(unittest.TestCase):
         for other in ("debugger_test.py", "session_window_test.py", "insertion_test.py"):
             with open(os.path.join(os.path.dirname(__file__), other), encoding="utf-8") as file:
                 tests += file.read()
-        with open(os.path.join(harness.SOURCE, "src", "ui", "action.cpp"), encoding="utf-8") as file:
+        with open(os.path.join(harness.SOURCE, "src", "ui", "action_table.cpp"), encoding="utf-8") as file:
             table = file.read()
         import re
         layers = {"boundary", "boundary_points", "quadtree", "constraints", "fronts", "steiner", "triangulation",
