@@ -85,7 +85,9 @@ bool densityMouse(const View& view, Orders& orders, ImVec2 corner) {
   if (ui.held) {
     const float slack = view.px(kSlack);
     const bool moved = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > slack * slack;
-    if (ImGui::IsItemActive() && moved) orders.emplace_back(order::MoveRequest{mouseInWorld(view, corner)});
+    // The last move may come with the release.
+    if (moved && (ImGui::IsItemActive() || ImGui::IsItemDeactivated()))
+      orders.emplace_back(order::MoveRequest{mouseInWorld(view, corner)});
     if (!ImGui::IsItemActive()) orders.emplace_back(order::EndTuning{});
     return true;
   }

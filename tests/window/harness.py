@@ -72,8 +72,8 @@ class Window:
         self.folder = tempfile.TemporaryDirectory()
         self.state_path = os.path.join(self.folder.name, "state.json")
         # Work that is kept automatically goes to a folder of its own, not to the user's.
-        self.environment = dict(os.environ, DISPLAY=display.name, XDG_STATE_HOME=os.path.join(self.folder.name, "state"),
-                                **(environment or {}))
+        kept = {"XDG_STATE_HOME": os.path.join(self.folder.name, "state")}
+        self.environment = {**os.environ, "DISPLAY": display.name, **kept, **(environment or {})}
         self.started = time.monotonic()
         self.process = subprocess.Popen(
             [PROGRAM, "--state-file", self.state_path,
