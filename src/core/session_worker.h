@@ -25,7 +25,7 @@ struct Publication {
   std::shared_ptr<const std::vector<PassedHit>> hits;  // by tick
   std::string notice;
   Progress progress;
-  Settings settings;             // in force
+  Settings settings;  // in force
   std::shared_ptr<const Domain> domain;
   std::uint64_t ordersDone = 0;  // commands that had been taken up by then
   std::optional<Error> error;
