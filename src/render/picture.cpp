@@ -305,8 +305,9 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
       if (misses(anchor, anchor, {0.0, 0.0, camera.width, camera.height})) continue;
       const double size = static_cast<double>(label.size) * scale;
       const double width = textWidth(label.text, size, Weight::semibold);
-      const double dx = static_cast<double>(label.dx) * scale;
-      const double dy = static_cast<double>(label.dy) * scale;
+      const double around = label.around > 0.0 ? label.around * camera.scale + 3.0 * scale : 0.0;
+      const double dx = std::copysign(std::max(std::fabs(static_cast<double>(label.dx) * scale), around), label.dx);
+      const double dy = std::copysign(std::max(std::fabs(static_cast<double>(label.dy) * scale), around), label.dy);
       const double start = label.anchor == Anchor::left ? 0.0 : label.anchor == Anchor::centre ? 0.5 * width : width;
       // As asked; then mirrored about the anchor; then further out.
       const double line = 1.5 * size;

@@ -173,6 +173,7 @@ void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, 
   Label text = note(in, circle.centre, std::string(label) + " " + compact(value), style.color);
   text.dx = least + 3.0f;
   text.dy = -least;
+  text.around = 0.75 * radius;
   layer.labels.push_back(std::move(text));
 }
 

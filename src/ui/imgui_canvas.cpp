@@ -132,11 +132,15 @@ void ImGuiCanvas::text(Point at, std::string_view text, const TextStyle& style) 
   const ImVec2 corner{std::round(static_cast<float>(at.x - start)),
                       std::round(static_cast<float>(at.y) - font.Ascent * size / font.FontSize)};
   if (style.halo.a > 0) {
-    const float reach = std::max(1.0f, size * 0.09f);
-    for (const float dx : {-reach, 0.0f, reach})
-      for (const float dy : {-reach, 0.0f, reach})
-        if (dx != 0.0f || dy != 0.0f)
-          list_.AddText(&font, size, {corner.x + dx, corner.y + dy}, toImU32(style.halo), begin, end);
+    // Two rings of copies: one alone lets lines show through between the copies.
+    constexpr int kCopies = 12;
+    const float reach = std::max(2.0f, size * 0.18f);
+    for (int k = 0; k < 2 * kCopies; ++k) {
+      const float turn = 6.2831853f * static_cast<float>(k) / static_cast<float>(kCopies);
+      const float far = k < kCopies ? reach : 0.55f * reach;
+      list_.AddText(&font, size, {corner.x + far * std::cos(turn), corner.y + far * std::sin(turn)},
+                    toImU32(style.halo), begin, end);
+    }
   }
   list_.AddText(&font, size, corner, toImU32(style.color), begin, end);
 }
