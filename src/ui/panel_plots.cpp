@@ -93,6 +93,8 @@ void dashedLine(const View& view, ImVec2 a, ImVec2 b, Color color) {
   }
 }
 
+constexpr double kWideRange = 30.0;  // largest over smallest value, from which on an axis is logarithmic
+
 /// Values to heights within a frame.
 struct Height {
   const Frame& frame;
@@ -122,8 +124,41 @@ Height heightsOf(const Frame& frame, const Series& series, const std::vector<Qua
     high = std::max(high, series.bound);
   }
   if (!(low <= high)) return {frame, 0.0, 1.0, false};
-  if (!series.logarithmic) return {frame, std::min(low, 0.0), high + std::max(1e-9, 0.05 * (high - low)), false};
+  const bool wide = low > 0.0 && high > kWideRange * low;
+  if (!series.logarithmic && !wide)
+    return {frame, std::min(low, 0.0), high + std::max(1e-9, 0.05 * (high - low)), false};
   return {frame, std::max(low, 1e-9) / 1.05, std::min(high, 1e6 * std::max(low, 1e-9)) * 1.1, true};
+}
+
+/// Of a logarithmic axis: the values to write beside it, powers of ten or, where these are few, 2 and 5 times too.
+std::vector<double> ticksOf(const Height& y) {
+  std::vector<double> ticks;
+  const bool few = y.high < 100.0 * y.low;
+  for (double power = std::pow(10.0, std::floor(std::log10(y.low))); power <= y.high; power *= 10.0)
+    for (const double times : {1.0, 2.0, 5.0})
+      if ((few || times == 1.0) && power * times >= y.low && power * times <= y.high) ticks.push_back(power * times);
+  return ticks;
+}
+
+/// The scale at the left: the ends of a linear axis, the ticks of a logarithmic one with lines across.
+void scale(const View& view, const Frame& f, const Height& y) {
+  const float small = view.fonts.small->FontSize;
+  const Color muted = view.theme().textMuted;
+  const float x = f.lo.x - view.px(5);
+  if (!y.logarithmic) {
+    text(view, {x, f.lo.y}, 1.0f, compact(y.high), muted);
+    text(view, {x, f.hi.y - small}, 1.0f, compact(y.low), muted);
+    return;
+  }
+  float above = f.hi.y + small;  // what is written already
+  for (const double tick : ticksOf(y)) {
+    const float at = std::round(y(tick));
+    ImGui::GetWindowDrawList()->AddLine({f.lo.x, at}, {f.hi.x, at}, ImGui::GetColorU32(ImGuiCol_Border));
+    const float top = std::clamp(at - 0.5f * small, f.lo.y, f.hi.y - small);
+    if (top + small > above) continue;
+    text(view, {x, top}, 1.0f, tick < 1e4 ? compact(tick) : fmt::format("{:.0e}", tick), muted);
+    above = top;
+  }
 }
 
 void curve(const View& view, const Frame& f, const Series& series, const Height& y, TickRange range) {
@@ -171,6 +206,7 @@ void alongRun(const View& view, Orders& orders) {
   const TickRange range = shownRange(chosen, record);
   const Height y = heightsOf(f, series, record.samples, range);
   ground(view, f);
+  scale(view, f, y);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(f.lo, f.hi, true);
   if (!std::isnan(series.bound))
@@ -184,8 +220,6 @@ void alongRun(const View& view, Orders& orders) {
   list.PopClipRect();
   const float small = view.fonts.small->FontSize;
   const Color muted = view.theme().textMuted;
-  text(view, {f.lo.x - view.px(5), f.lo.y}, 1.0f, compact(y.high), muted);
-  text(view, {f.lo.x - view.px(5), f.hi.y - small}, 1.0f, compact(y.low), muted);
   if (!std::isnan(series.bound)) {
     const bool above = y(series.bound) - small - view.px(2) > f.lo.y;
     text(view, {f.hi.x - view.px(5), y(series.bound) + (above ? -small - view.px(1) : view.px(1))}, 1.0f,
