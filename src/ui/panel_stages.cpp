@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 
 #include "core/pipeline.h"
@@ -12,6 +14,29 @@ namespace triscope {
 namespace {
 
 constexpr double kIndent = 22.0;  // pixels at 100 %, of the texts beside the dot
+constexpr double kRuleAt = 62.0;  // of the rule beside a short name
+
+/// What a stage does in a word or two; of steps 1 to 5 the condition that makes them insert a point: circumradius R,
+/// circumcentre c, wanted edge length h, shortest edge e.
+constexpr std::array<std::string_view, kStageCount> kRules{
+    "curvature, corners, gaps",
+    "splits and balances",
+    "spreads the ranks",
+    "one per h",
+    "Bowyer-Watson",
+    "missing edges",
+    "outside away",
+    "off the boundary",
+    "off the first",
+    "R \xE2\x89\xA5 h(c)",
+    "R \xE2\x89\xA5 min h",
+    "R \xE2\x89\xA5 e",
+    "R \xE2\x89\xA5 e of a neighbour",
+    "too tall a neighbour",
+    "what is still broken",
+    "moves and flips",
+    "",
+};
 
 /// "+123  ✗4  →56": inserted, refused, moved.
 std::string countsOf(const StageCounts& c) {
@@ -34,22 +59,8 @@ std::string countsInWords(const StageCounts& c) {
                      grouped(c.inserted), grouped(c.removed), grouped(c.moved), grouped(c.refused));
 }
 
-/// As much of a text as fits in a width, with an ellipsis where it was cut.
-std::string fitted(const ImFont& font, const std::string& text, float width) {
-  const auto wide = [&font](const std::string& t) {
-    return font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, t.c_str()).x;
-  };
-  if (wide(text) <= width) return text;
-  std::string cut = text;
-  while (!cut.empty()) {
-    const std::size_t space = cut.rfind(' ');
-    cut.erase(space == std::string::npos ? 0 : space);
-    if (std::string shown = cut + " \xE2\x80\xA6"; wide(shown) <= width) return shown;
-  }
-  return "\xE2\x80\xA6";
-}
-
-/// What is drawn over one row: a dot, the name, the counts, and what the stage does.
+/// What is drawn over one row: a dot, the name, the rule where it fits, the counts; below the current stage, what it
+/// does.
 void paint(const View& view, const StageInfo& info, const MeshState* state, ImVec2 at, float width) {
   const bool current = state != nullptr && state->stage == info.id;
   const StageCounts counts = state != nullptr ? state->counts[static_cast<std::size_t>(info.id)] : StageCounts{};
@@ -65,15 +76,22 @@ void paint(const View& view, const StageInfo& info, const MeshState* state, ImVe
     list.AddCircle(dot, view.px(5), color, 0, view.px(1.5));
   const ImFont& font = current ? *view.fonts.strong : *view.fonts.text;
   const ImFont& small = *view.fonts.small;
+  const auto wide = [](const ImFont& f, const std::string& t) {
+    return f.CalcTextSizeA(f.FontSize, 1e6f, 0.0f, t.c_str()).x;
+  };
   const ImU32 mutedColor = toImU32(view.theme().textMuted);
-  list.AddText(&font, font.FontSize, {at.x + indent, at.y}, toImU32(view.theme().text), std::string(info.name).c_str());
+  const std::string name(info.name);
+  list.AddText(&font, font.FontSize, {at.x + indent, at.y}, toImU32(view.theme().text), name.c_str());
   const std::string tally = countsOf(counts);
-  const float wide = small.CalcTextSizeA(small.FontSize, 1e6f, 0.0f, tally.c_str()).x;
-  list.AddText(&small, small.FontSize, {at.x + width - wide, at.y + view.px(1)}, mutedColor, tally.c_str());
-  const std::string does(info.does);
-  const std::string shown = current ? does : fitted(small, does, width - indent);
-  list.AddText(&small, small.FontSize, {at.x + indent, at.y + line}, mutedColor, shown.c_str(), nullptr,
-               current ? width - indent : 0.0f);
+  const float tallyAt = at.x + width - wide(small, tally);
+  list.AddText(&small, small.FontSize, {tallyAt, at.y + view.px(1)}, mutedColor, tally.c_str());
+  const std::string rule(kRules[static_cast<std::size_t>(info.id)]);
+  const float ruleAt = at.x + indent + std::max(view.px(kRuleAt), wide(font, name) + view.px(8));
+  if (ruleAt + wide(small, rule) + view.px(8) <= tallyAt)
+    list.AddText(&small, small.FontSize, {ruleAt, at.y + view.px(1)}, mutedColor, rule.c_str());
+  if (current)
+    list.AddText(&small, small.FontSize, {at.x + indent, at.y + line}, mutedColor, std::string(info.does).c_str(),
+                 nullptr, width - indent);
 }
 
 void row(const View& view, Orders& orders, const StageInfo& info, const MeshState* state) {
@@ -82,8 +100,8 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
   const std::string does(info.does);
   const float width = ImGui::GetContentRegionAvail().x;
   const ImFont& small = *view.fonts.small;
-  const float wrap = current ? width - view.px(kIndent) : 0.0f;
-  const float below = small.CalcTextSizeA(small.FontSize, 1e6f, wrap, does.c_str()).y;
+  const float below =
+      current ? small.CalcTextSizeA(small.FontSize, 1e6f, width - view.px(kIndent), does.c_str()).y : 0.0f;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::PushID(name.c_str());
   if (ImGui::Selectable("##row", current, ImGuiSelectableFlags_None,
