@@ -1,5 +1,7 @@
 #include "core/pipeline.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -71,6 +73,7 @@ Stage after(const MeshState& state) {
 
 void leaveStage(MeshState& state, Journal& journal) {
   recordStage(state, EventKind::stage_finished, state.cursor.changes, journal);
+  (state.stage == Stage::refine ? state.passesDone : state.roundsDone) = state.round;
   state.stage = after(state);
   state.cursor = {};
   if (state.stage == Stage::step2) {
@@ -79,6 +82,29 @@ void leaveStage(MeshState& state, Journal& journal) {
   } else if (state.stage > Stage::repair) {
     state.round = 0;
   }
+}
+
+// Cells of side 4Δx are counted in 32 bits. Of a derived Δx the shortest straight edge is named: it asked for it, or a
+// curvature or gap beside it did.
+Error tooFine(const Domain& domain, double minEdge, double extent, bool derived) {
+  Error error;
+  error.message = fmt::format("the smallest edge length, {:.3g}, is less than 1/{:.0f} of the domain's extent, {:.6g}",
+                              minEdge, kLargestSide, extent);
+  error.hint = "give a larger min_edge_length, or scale the domain's details up";
+  error.file = domain.file;
+  if (!derived) return error;
+  double shortest = extent;
+  for (const Loop& loop : domain.loops) {
+    for (std::uint32_t i = loop.firstCurve; i < loop.firstCurve + loop.curveCount; ++i) {
+      const Curve& curve = domain.curves[i];
+      if (curve.kind != CurveKind::line || distance(curve.a, curve.b) >= shortest) continue;
+      shortest = distance(curve.a, curve.b);
+      error.loop = loop.name;
+      error.at = curve.a;
+    }
+  }
+  error.message += fmt::format("; the shortest edge of the domain is {:.3g} long", shortest);
+  return error;
 }
 
 enum class Beat : std::uint8_t { decided, inserted, left_stage, over };
@@ -132,11 +158,7 @@ Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& se
   }
   const double extent = std::max(domain->bounds.width(), domain->bounds.height());
   if (!(state.minEdge > 0.0) || extent > kLargestSide * state.minEdge) {
-    Error error;
-    error.message = "the smallest edge length is less than a four-thousand-millionth of the domain's extent";
-    error.hint = "give a larger min_edge_length, or scale the domain's details up";
-    error.file = domain->file;
-    return error;
+    return tooFine(*domain, state.minEdge, extent, state.minEdgeDerived);
   }
   if (state.minEdge > extent) {
     Error error;

@@ -60,6 +60,8 @@ struct MeshState {
   Stage stage = Stage::constraints;      // the stage that the next decision belongs to
   std::uint16_t round = 0;               // of steps 2-5, from 1; pass of step 6 while in refine
   std::uint64_t roundChanges = 0;        // insertions since this round began
+  std::uint16_t roundsDone = 0;          // rounds of steps 2-5 begun and left behind, and …
+  std::uint16_t passesDone = 0;          // … passes of step 6; they stay when `round` begins again
   Cursor cursor;
   std::uint64_t tick = 0;  // decisions made
   std::array<StageCounts, kStageCount> counts{};

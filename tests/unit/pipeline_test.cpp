@@ -41,6 +41,14 @@ TEST(Begin, TakesDxFromTheSettingsTheDomainOrTheGeometryInThatOrder) {
   EXPECT_GT(derived.minEdge, 0.0);
 }
 
+TEST(Begin, NamesTheEdgeThatAsksForTooFineAMesh) {
+  const auto state = begin(support::domainFrom(R"({"outer": [[0, 0], [1, 0], [1, 1e-12]]})"), {});
+  ASSERT_FALSE(state.ok());
+  EXPECT_EQ(state.error().loop, "outer");
+  EXPECT_EQ(state.error().at, (Point{1, 0}));
+  EXPECT_NE(state.error().message.find("the shortest edge of the domain is 1e-12 long"), std::string::npos);
+}
+
 TEST(Begin, RefusesADxThatFitsNoTree) {
   const support::DomainPtr domain = support::domainFrom(support::kFrame);
   for (const double minEdge : {17.0, 1e-9}) {

@@ -100,7 +100,8 @@ std::string reportOf(const MeshState& state, const Quality& quality, const Stage
   out.add("min_edge", state.minEdge);
   out.add("min_edge_derived", state.minEdgeDerived);
   addVerdict(out, state.mesh, quality);
-  out.add("rounds", std::size_t{state.round});
+  out.add("rounds", std::size_t{state.roundsDone});
+  out.add("passes", std::size_t{state.stage == Stage::refine ? state.round : state.passesDone});
   out.add("failed", state.failed);
   out.add("stages", stageList(state, seconds));
   return out.str() + "\n";
