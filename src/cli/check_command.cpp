@@ -1,6 +1,7 @@
 // triscope check: judges any mesh file by the paper's bounds and the rules of validity.
 #include <fmt/format.h>
 
+#include "cli/bound_text.h"
 #include "cli/commands.h"
 #include "core/domain/read.h"
 #include "core/io/against_domain.h"
@@ -12,22 +13,18 @@
 namespace triscope {
 namespace {
 
-Point centroid(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& triangle = triangleAt(mesh, slot);
-  return (1.0 / 3.0) * (pointOf(mesh, triangle.v[0]) + pointOf(mesh, triangle.v[1]) + pointOf(mesh, triangle.v[2]));
-}
-
 void printCount(std::string_view key, std::size_t value) { fmt::print("{:<18} {}\n", key, value); }
 
-/// One bounded figure, with the bound, the verdict and where the worst triangle is.
-void printBounded(const Mesh& mesh, std::string_view key, double value, std::string_view bound, bool met,
-                  std::int32_t slot) {
-  fmt::print("{:<18} {:<12.7g} {:<7} {:<8}", key, value, bound, met ? "met" : "not met");
-  if (slot >= 0) {
-    const Point at = centroid(mesh, slot);
-    fmt::print(" triangle {} at ({:.6g}, {:.6g})", idOf(mesh, slot), at.x, at.y);
+/// One bounded figure, with the bound, the verdict, where the worst triangle is and what excuses it.
+void printBounded(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
+  const std::string key = fmt::format("{}_{}", worst.key, worst.key.ends_with("angle") ? "deg" : "max");
+  fmt::print("{:<18} {:<12.7g} {:<7} {:<8}", key, worst.value, limitText(worst), worst.met() ? "met" : "not met");
+  if (worst.slot >= 0) {
+    const Point at = centroidOf(mesh, worst.slot);
+    fmt::print(" triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
   }
-  fmt::print("\n");
+  const std::string excuse = excuseText(mesh, quality, worst);
+  fmt::print("{}{}\n", excuse.empty() ? "" : ", ", excuse);
 }
 
 void printFigures(const Mesh& mesh, const Quality& q) {
@@ -37,23 +34,17 @@ void printFigures(const Mesh& mesh, const Quality& q) {
   printCount("obtuse", q.obtuse);
   fmt::print("{:<18} {:.10g}\n", "area", q.area);
   fmt::print("{:<18} {:.7g}\n", "min_edge_length", q.minEdge);
-  printBounded(mesh, "aspect_ratio_max", q.aspectMax, fmt::format("< {:g}", Bounds::aspect),
-               q.aspectMax < Bounds::aspect, q.aspectAt);
-  printBounded(mesh, "area_ratio_max", q.areaRatioMax, fmt::format("< {:g}", Bounds::areaRatio),
-               q.areaRatioMax < Bounds::areaRatio, q.areaRatioAt);
-  printBounded(mesh, "edge_ratio_max", q.edgeRatioMax, fmt::format("< {:g}", Bounds::edgeRatio),
-               q.edgeRatioMax < Bounds::edgeRatio, q.edgeRatioAt);
-  printBounded(mesh, "min_angle_deg", q.minAngle, fmt::format("> {:g}", Bounds::minAngle),
-               q.minAngle > Bounds::minAngle, q.minAngleAt);
-  printBounded(mesh, "max_angle_deg", q.maxAngle, fmt::format("< {:g}", Bounds::maxAngle),
-               q.maxAngle < Bounds::maxAngle, q.maxAngleAt);
+  for (const WorstMeasure& worst : worstOf(q)) printBounded(mesh, q, worst);
 }
 
 /// Prints the verdict and what is wrong. True when nothing is.
 bool printVerdict(std::string_view key, const std::vector<Violation>& violations) {
   fmt::print("{:<18} {}\n", key, violations.empty() ? "yes" : "no");
-  for (const Violation& violation : violations)
-    fmt::print("  {} at ({:.6g}, {:.6g})\n", violation.message, violation.at.x, violation.at.y);
+  for (const Violation& violation : violations) {
+    const std::string place =
+        violation.at ? fmt::format("at ({:.6g}, {:.6g}): ", violation.at->x, violation.at->y) : "";
+    fmt::print("  {}{}\n", place, violation.message);
+  }
   return violations.empty();
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 
+#include "cli/bound_text.h"
 #include "cli/carry_on.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
@@ -32,8 +33,9 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
                quality.aspectMax, quality.areaRatioMax, quality.edgeRatioMax, quality.minAngle, quality.maxAngle,
                quality.obtuse);
   fmt::print(stderr, "\n");
-  if (state.stage >= Stage::refine && !quality.withinBounds())
-    fmt::print(stderr, "note: not every bound of the paper is met; 'triscope check' says which and where\n");
+  if (state.stage < Stage::refine) return;
+  for (const WorstMeasure& worst : worstOf(quality))
+    if (!worst.met()) fmt::print(stderr, "note: {}\n", unmetText(state.mesh, quality, worst));
 }
 
 Status writeText(const std::string& path, std::string_view text) {

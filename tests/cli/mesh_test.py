@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import program
-from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, LONG_RUN, OK, STEP, USAGE, run)
+from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, LONG_RUN, OK, STEP, UNMET, USAGE, run)
 
 STAGES = ["constraints", "quadtree", "density", "boundary", "triangulation", "carve", "fronts", "step1", "rounds", "refine"]
 FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
@@ -55,6 +55,8 @@ class Outputs(program.ProgramTest):
             self.assertIn(key, report)
         self.assertGreater(report["triangles"], 1000)
         self.assertLess(report["aspect_ratio_max"], 4.31)
+        self.assertGreater(report["rounds"], 0)
+        self.assertGreater(report["passes"], 0)
         for stage in report["stages"]:
             for key in ("seconds", "inserted", "refused", "moved"):
                 self.assertIn(key, stage)
@@ -87,6 +89,28 @@ class Outputs(program.ProgramTest):
                                 "--set", "laplacian=off"))
             triangles[edge] = json.loads((self.folder / "r.json").read_text())["triangles"]
         self.assertGreater(triangles["1"], triangles["2"])
+
+
+class Bounds(program.ProgramTest):
+    """A mesh that breaks a bound is a mesh: exit code 0, and a note that says where, and whether the input excuses it."""
+
+    def notes(self, outer):
+        domain = self.write("d.json", json.dumps({"outer": outer}))
+        error = self.expect(OK, run("mesh", domain, "-o", self.path("a.msh"), "--report", self.path("r.json"))).stderr
+        report = json.loads((self.folder / "r.json").read_text())
+        notes = [line for line in error.splitlines() if line.startswith("note: ")]
+        self.assertEqual(report["bounds_met"], not notes)
+        return notes
+
+    def test_no_note_where_all_are_met(self):
+        self.assertEqual(self.notes([[0, 0], [4, 0], [4, 3], [0, 3]]), [])
+
+    def test_an_input_angle_excuses(self):
+        notes = self.notes([[0, 0], [4, 0], [4, 1]])
+        self.assertRegex("\n".join(notes), r"note: smallest angle 1[34]\S*, not > 30, at the input angle of 14\.0° at "
+                                           r"\(0, 0\), below 60°: no mesh can meet it there")
+        text = self.expect(UNMET, run("check", self.path("a.msh"))).stdout
+        self.assertRegex(text, r"min_angle_deg +1[34]\S* +> 30 +not met +triangle .*at the input angle of 14.0° at")
 
 
 class Until(program.ProgramTest):

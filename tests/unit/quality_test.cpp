@@ -98,6 +98,16 @@ TEST(MeshQuality, FindsTheWorstOfTwo) {
   EXPECT_FALSE(q.withinBounds());
 }
 
+TEST(MeshQuality, TheAreaRatioWithoutAPairIsOne) {
+  Mesh mesh;
+  for (const Point p : {Point{0, 0}, Point{1, 0}, Point{0.5, 0.9}}) addVertex(mesh, p, VertexKind::kept, 1);
+  addTriangle(mesh, 0, 1, 2);
+  const Quality q = measure(mesh);
+  EXPECT_EQ(q.areaRatioMax, 1.0);
+  EXPECT_EQ(q.areaRatioAt, -1);
+  EXPECT_TRUE(q.withinBounds());
+}
+
 TEST(MeshQuality, TiesGoToTheLowestId) {
   Mesh mesh = twoTriangles();
   mesh.points[3] = {4, -3};  // the mirror image: every measure is a tie

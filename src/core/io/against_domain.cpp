@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -74,7 +75,7 @@ class DomainCheck {
     const Point p = pointOf(mesh_, v);
     return {p.x + 0.0, p.y + 0.0};
   }
-  void add(Point at, std::int32_t vertex, std::string message) {
+  void add(std::optional<Point> at, std::int32_t vertex, std::string message) {
     if (found_.size() < limit_) found_.push_back({Broken::domain, -1, vertex, at, std::move(message)});
   }
 
@@ -89,15 +90,11 @@ class DomainCheck {
     const Curve& curve = domain_.curves[loop.firstCurve + index];
     const std::int32_t first = vertexAt(curve.a), last = vertexAt(curve.b);
     if (first < 0) {
-      add(curve.a, -1,
-          fmt::format("loop '{}', point {}: ({}, {}) is no vertex of the mesh", loop.name, index, curve.a.x,
-                      curve.a.y));
+      add(curve.a, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index, loop.name));
     }
     // The end of a chain starts no other curve.
     if (last < 0 && loop.role == LoopRole::chain && index + 1 == loop.curveCount) {
-      add(curve.b, -1,
-          fmt::format("loop '{}', point {}: ({}, {}) is no vertex of the mesh", loop.name, index + 1, curve.b.x,
-                      curve.b.y));
+      add(curve.b, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index + 1, loop.name));
     }
     if (first < 0 || last < 0 || curve.kind != CurveKind::line) return;
     for (std::int32_t v = first; v != last;) {
@@ -105,8 +102,8 @@ class DomainCheck {
       const std::int32_t next = nextAlong(curve, v, last);
       if (next < 0) {
         add(pointOf(mesh_, v), v,
-            fmt::format("loop '{}', after point {}: no edge of the mesh follows the boundary from vertex {}", loop.name,
-                        index, v));
+            fmt::format("after point {} of loop '{}', no edge of the mesh follows the boundary from vertex {}", index,
+                        loop.name, v));
         return;
       }
       v = next;
@@ -166,8 +163,8 @@ class DomainCheck {
     }
     const double wanted = 0.5 * polygon.value(), found = 0.5 * triangles.value();
     if (!(std::fabs(found - wanted) <= std::max(kTolerance * wanted, spacing_ * perimeter))) {
-      add(domain_.bounds.lo, -1,
-          fmt::format("the mesh has the area {}, the domain {}: {:.1e} apart, relative to it", found, wanted,
+      add({}, -1,
+          fmt::format("the mesh has the area {:.10g}, the domain {:.10g}: they differ by {:.1e} of it", found, wanted,
                       std::fabs(found - wanted) / wanted));
     }
   }

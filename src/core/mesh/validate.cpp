@@ -8,6 +8,7 @@
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/embedding.h"
 
 namespace triscope {
 namespace {
@@ -28,12 +29,13 @@ class Checker {
     checkBoundaryEdges();
     checkVertices(linked);
     checkDuplicates();
+    checkOverlap();
     return std::move(found_);
   }
 
  private:
   [[nodiscard]] bool full() const { return found_.size() >= limit_; }
-  void add(Broken what, std::int32_t triangle, std::int32_t vertex, Point place, std::string message) {
+  void add(Broken what, std::int32_t triangle, std::int32_t vertex, std::optional<Point> place, std::string message) {
     if (!full()) found_.push_back({what, triangle, vertex, place, std::move(message)});
   }
   void addTriangle(Broken what, std::int32_t slot, const std::string& message) {
@@ -303,6 +305,12 @@ class Checker {
         addVertex(Broken::duplicate, order[i], fmt::format("at the same place as vertex {}", order[i - 1]));
       }
     }
+  }
+
+  /// Borders tell of overlaps only where each triangle lies rightly beside its neighbours.
+  void checkOverlap() {
+    if (!std::ranges::all_of(found_, [](const Violation& v) { return v.what == Broken::delaunay; })) return;
+    if (auto overlap = findOverlap(mesh_); overlap && !full()) found_.push_back(std::move(*overlap));
   }
 
   const Mesh& mesh_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ enum class Broken : std::uint8_t {
   boundary,     // a boundary edge is not an edge of the mesh, or a mesh border is no boundary edge
   vertex,       // vertexTriangle is wrong, or a vertex has no triangle
   duplicate,    // two vertices at the same place
+  overlap,      // parts of the mesh lie over one another, or its borders touch (exact)
   domain,       // the mesh is not one of the domain it is held against
 };
 
@@ -23,7 +25,7 @@ struct Violation {
   Broken what = Broken::link;
   std::int32_t triangle = -1;  // slot
   std::int32_t vertex = -1;
-  Point at;
+  std::optional<Point> at;  // where to look; none for what is wrong as a whole
   std::string message;
 };
 

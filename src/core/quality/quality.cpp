@@ -137,7 +137,7 @@ Quality measure(const Mesh& mesh) {
 
   q.aspectMax = aspect.value;
   q.aspectAt = aspect.slot;
-  q.areaRatioMax = areaRatio.value;
+  q.areaRatioMax = areaRatio.slot >= 0 ? areaRatio.value : 1.0;
   q.areaRatioAt = areaRatio.slot;
   q.areaRatioOther = areaRatio.other;
   q.edgeRatioMax = edgeRatio.value;

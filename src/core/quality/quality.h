@@ -34,7 +34,7 @@ struct Bounds {
 
 /// Worst values over all live triangles but those at a corner of the box around everything; the slot is the triangle
 /// that has it, -1 for an empty mesh. Ties go to the lowest id. Area ratio is over pairs that share an edge: the larger
-/// of the two is named first.
+/// of the two is named first; where no two do, it is 1.
 struct Quality {
   std::size_t vertices = 0;          // that some triangle uses
   std::size_t boundaryVertices = 0;  // of these, ends of a boundary edge (inner chains count)

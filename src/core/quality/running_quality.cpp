@@ -32,7 +32,7 @@ double sign(std::size_t measure) { return measure == static_cast<std::size_t>(Me
 MeasureValues measuresOf(const Mesh& mesh, std::int32_t slot) {
   const TriangleQuality q =
       qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2));
-  double ratio = 0.0;  // of a triangle without neighbours
+  double ratio = 1.0;  // of a triangle without neighbours
   const double own = areaOf(mesh, slot);
   for (const std::int32_t across : triangleAt(mesh, slot).adj) {
     if (across < 0 || helperIn(mesh, triangleOf(across))) continue;
