@@ -30,7 +30,8 @@ def msh2(points, triangles):
 
 class Check(program.ProgramTest):
     def test_own_mesh_is_good_in_every_format(self):
-        for name, flags in (("a.msh", []), ("b.msh", ["--msh2"]), ("c.node", []), ("d.vtu", [])):
+        for name, flags in (("a.msh", []), ("b.msh", ["--msh2"]), ("c.node", []), ("d.vtu", []),
+                            ("e.su2", []), ("f.off", []), ("g.obj", [])):
             self.expect(OK, run("mesh", STEP, "-o", self.path(name), *flags))
             self.expect(OK, run("check", self.path(name)))
             self.expect(OK, run("check", self.path(name), "--domain", STEP))
@@ -55,6 +56,12 @@ class Check(program.ProgramTest):
         # The diagonal of a kite-like quadrilateral taken the wrong way.
         path = self.write("wrong.msh", msh2([(0, 0), (1, -0.4), (2, 0), (1, 0.4)], [(0, 1, 2), (0, 2, 3)]))
         self.assertIn("inside the circumcircle", self.expect(UNMET, run("check", path)).stdout)
+
+    def test_triangles_that_overlap(self):
+        path = self.write("twice.off", "OFF\n6 2 0\n0 0 0\n4 0 0\n0 4 0\n1 1 0\n5 1 0\n1 5 0\n3 0 1 2\n3 3 4 5\n")
+        text = self.expect(UNMET, run("check", path)).stdout
+        self.assertRegex(text, r"valid +no\n +at \(\S+, \S+\): border edge 0-1|valid +no\n.*overlaps itself")
+        self.assertRegex(text, r"area_ratio_max +1 ")
 
     def test_mesh_of_another_domain(self):
         self.expect(OK, run("mesh", STEP, "-o", self.path("a.msh")))

@@ -30,7 +30,7 @@ void requireValidIndices(const MeshFile& file) {
 }
 
 Result<MeshFile> parse(std::uint8_t format, std::string_view text) {
-  switch (format % 5) {
+  switch (format % 6) {
     case 0:
       return parseMsh(text);
     case 1:
@@ -39,6 +39,8 @@ Result<MeshFile> parse(std::uint8_t format, std::string_view text) {
       return parseOff(text);
     case 3:
       return parseObj(text);
+    case 5:
+      return parseSu2(text);
     default: {
       // The three files of Triangle, one after the other with a '|' between.
       const std::size_t first = text.find('|'), second = text.find('|', first == text.npos ? first : first + 1);

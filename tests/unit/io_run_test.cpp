@@ -43,6 +43,7 @@ std::vector<std::string> complaints(const Mesh& mesh, const Domain& domain) {
   std::vector<std::string> messages;
   for (const Violation& v : checkAgainstDomain(mesh, domain)) {
     EXPECT_EQ(v.what, Broken::domain);
+    EXPECT_EQ(v.at.has_value(), !v.message.starts_with("the mesh has the area")) << v.message;
     messages.push_back(v.message);
   }
   return messages;
@@ -55,6 +56,10 @@ TEST(Export, NumbersVerticesTrianglesAndEdgesInOrder) {
   EXPECT_EQ(file.groups, (std::vector<std::string>{"outer", "hole 1", "segment 1"}));
   EXPECT_TRUE(std::ranges::is_sorted(file.fields.front().values));
   EXPECT_EQ(file.fields.front().name, "id");
+  std::vector<std::string> fields;
+  for (const MeshFile::Field& field : file.fields) fields.push_back(field.name);
+  EXPECT_EQ(fields, (std::vector<std::string>{"id", "aspect", "area_ratio", "edge_ratio", "min_angle", "max_angle"}));
+  EXPECT_EQ(std::ranges::max(file.fields[2].values), measure(state.mesh).areaRatioMax);
   std::vector<int> used(file.points.size(), 0);
   for (const auto& t : file.triangles)
     for (const int v : t) used[static_cast<std::size_t>(v)] = 1;
@@ -96,7 +101,7 @@ TEST(AgainstDomain, NamesACornerThatIsNoVertex) {
   corner->x -= 0x1p-50;
   const auto found = complaints(state.mesh, domain);
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(found.front(), "loop 'outer', point 2: (8, 8) is no vertex of the mesh");
+  EXPECT_EQ(found.front(), "point 2 of loop 'outer' is no vertex of the mesh");
 }
 
 TEST(AgainstDomain, NamesABoundaryThatTheMeshDoesNotFollow) {
@@ -107,7 +112,7 @@ TEST(AgainstDomain, NamesABoundaryThatTheMeshDoesNotFollow) {
   onEdge->y = 1e-6;
   const auto found = complaints(state.mesh, domain);
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_TRUE(found[0].starts_with("loop 'outer', after point 0: no edge of the mesh follows the boundary"));
+  EXPECT_TRUE(found[0].starts_with("after point 0 of loop 'outer', no edge of the mesh follows the boundary"));
   EXPECT_TRUE(found.back().starts_with("the mesh has the area"));
 }
 
@@ -169,6 +174,24 @@ TEST(Report, HasEveryKeyAndAgreesWithTheMeasures) {
   EXPECT_EQ(step3.at("refused"), counts.refused);
   EXPECT_EQ(step3.at("moved"), counts.moved);
   EXPECT_EQ(step3.at("decisions"), counts.decisions);
+}
+
+TEST(Report, CountsRoundsAndPasses) {
+  const auto reportOn = [](const MeshState& state) { return json::parse(reportOf(state, measure(state.mesh), {})); };
+  const Domain domain = frame();
+  EXPECT_EQ(reportOn(meshed(domain, nullptr, Stage::step1)).at("rounds"), 0);
+
+  std::vector<Event> events;
+  const json meshedReport = reportOn(meshed(domain, &events));
+  EXPECT_GT(meshedReport.at("rounds"), 0);
+  EXPECT_EQ(meshedReport.at("passes"), 0);
+  EXPECT_EQ(meshedReport.at("rounds"), std::ranges::count_if(events, [](const Event& event) {
+              return event.kind == EventKind::stage_begun && event.stage == Stage::step2;
+            }));
+
+  const json refinedReport = reportOn(meshed(domain, nullptr, Stage::refine));
+  EXPECT_EQ(refinedReport.at("rounds"), meshedReport.at("rounds"));
+  EXPECT_GT(refinedReport.at("passes"), 0);
 }
 
 TEST(Report, OfAnEmptyMeshIsJsonToo) {

@@ -74,8 +74,14 @@ TEST_F(MeshFiles, WhatIsWrittenReadsBackTheSame) {
   MeshFile node = file;
   node.fields.clear();
   node.groups = {"marker 1", "marker 2"};
-  const std::pair<const char*, MeshFile> cases[] = {
-      {"a.msh", msh}, {"a.vtu", vtu}, {"a.node", node}, {"a.off", onlyTriangles(file)}, {"a.obj", onlyTriangles(file)}};
+  MeshFile su2 = msh;
+  su2.groups = {"outer", "main_wing"};
+  const std::pair<const char*, MeshFile> cases[] = {{"a.msh", msh},
+                                                    {"a.vtu", vtu},
+                                                    {"a.node", node},
+                                                    {"a.su2", su2},
+                                                    {"a.off", onlyTriangles(file)},
+                                                    {"a.obj", onlyTriangles(file)}};
   for (const auto& [name, expected] : cases) {
     const Status written = writeMesh(path(name), file);
     ASSERT_TRUE(written.ok()) << written.error().message;
@@ -99,6 +105,44 @@ TEST_F(MeshFiles, Su2HoldsMarkersByName) {
   EXPECT_NE(text.find("MARKER_TAG= main_wing\nMARKER_ELEMS= 4\n3 5 4\n"), std::string::npos);
 }
 
+TEST_F(MeshFiles, Su2IsReadInAnyOrderAndSpacing) {
+  const auto file = parseSu2(
+      "% a mesh\nNZONE=1\nNDIME = 2 % plane\nNMARK=1\nMARKER_TAG=wall\nMARKER_ELEMS= 2\n3 0 1\n1 0\n"
+      "NPOIN= 4 4\n0 0\n1 0 1\n1 1 2\n0 1 3\nNCORNERS= 0\nNELEM= 3\n5 0 1 2\n3 0 1\n5 0 2 3 1\n");
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  EXPECT_EQ(file->points.size(), 4u);
+  EXPECT_EQ(file->triangles, (std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(file->edges, (std::vector<MeshFile::Edge>{{0, 1, 0}}));
+  EXPECT_EQ(file->groups, std::vector<std::string>{"wall"});
+}
+
+TEST_F(MeshFiles, Su2SaysWhatIsWrong) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"", "no points"},
+      {"NDIME= 3\n", "line 1: the number of dimensions is 3"},
+      {"NDIME= 2\nNZONE= 2\n", "line 2: the number of zones is 2"},
+      {"nonsense\n", "line 1: expected KEY="},
+      {"NPOIN= 400000000\n0 0\n", "more than the rest of the file can hold"},
+      {"NPOIN= x\n", "line 1: expected a whole number"},
+      {"NPOIN= 1\n0 y\n", "line 2: expected a number for y"},
+      {"NPOIN= 3\n0 0\n1 0\n0 1\nNELEM= 1\n9 0 1 2 3\n", "type 9 are not read"},
+      {"NPOIN= 3\n0 0\n1 0\n0 1\nNELEM= 1\n5 0 1 3\n", "the corner 3, but the points are 0 to 2"},
+      {"NPOIN= 3\n0 0\n1 0\n0 1\n5 0 1 2\n", "line 5: expected KEY="},
+      {"NPOIN= 1\n0 0\nMARKER_ELEMS= 1\n3 0 0\n", "without a MARKER_TAG"}};
+  for (const auto& [text, part] : cases) {
+    const auto file = parseSu2(text);
+    ASSERT_FALSE(file.ok()) << text;
+    EXPECT_NE(file.error().message.find(part), std::string::npos) << file.error().message;
+    EXPECT_FALSE(file.error().hint.empty());
+  }
+}
+
+TEST_F(MeshFiles, VtuHoldsTheLoopOfEachPoint) {
+  ASSERT_TRUE(writeMesh(path("a.vtu"), ring()).ok());
+  EXPECT_NE(contents(path("a.vtu")).find("Name=\"boundary\" format=\"ascii\">\n1\n1\n1\n1\n2\n2\n2\n2\n</DataArray>"),
+            std::string::npos);
+}
+
 TEST_F(MeshFiles, TheSameMeshGivesTheSameBytes) {
   for (const char* name : {"a.msh", "a.vtu", "a.node", "a.su2", "a.off", "a.obj"}) {
     ASSERT_TRUE(writeMesh(path(name), ring()).ok());
@@ -116,7 +160,7 @@ TEST_F(MeshFiles, AnUnknownExtensionNamesTheKnownOnes) {
   EXPECT_EQ(written.error().code, ExitCode::usage);
   EXPECT_EQ(written.error().message, "no mesh format has the extension '.stl'");
   EXPECT_EQ(written.error().hint, "known are .msh, .vtu, .node, .su2, .off, .obj");
-  EXPECT_EQ(readMesh(path("a.stl")).error().hint, "known are .msh, .vtu, .node, .ele, .off, .obj");
+  EXPECT_EQ(readMesh(path("a.stl")).error().hint, "known are .msh, .vtu, .node, .ele, .su2, .off, .obj");
   EXPECT_EQ(filesLeft(), 0u);
 }
 

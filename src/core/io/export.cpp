@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "core/mesh/edit.h"
-#include "core/quality/quality.h"
+#include "core/quality/running_quality.h"
 
 namespace triscope {
 namespace {
@@ -93,13 +93,14 @@ MeshFile exportMesh(const MeshState& state) {
     file.points.push_back(mesh.points[v]);
   }
 
-  file.fields = {{"id", {}}, {"aspect", {}}, {"edge_ratio", {}}, {"min_angle", {}}, {"max_angle", {}}};
+  file.fields = {{"id", {}},         {"aspect", {}},    {"area_ratio", {}},
+                 {"edge_ratio", {}}, {"min_angle", {}}, {"max_angle", {}}};
   for (const std::int32_t slot : order) {
     const auto& v = triangleAt(mesh, slot).v;
     file.triangles.push_back({number[at(v[0])], number[at(v[1])], number[at(v[2])]});
-    const TriangleQuality q = qualityOf(pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2]));
-    const double values[] = {static_cast<double>(idOf(mesh, slot)), q.aspect, q.edgeRatio, q.minAngle, q.maxAngle};
-    for (std::size_t i = 0; i < file.fields.size(); ++i) file.fields[i].values.push_back(values[i]);
+    file.fields.front().values.push_back(static_cast<double>(idOf(mesh, slot)));
+    const MeasureValues values = measuresOf(mesh, slot);
+    for (std::size_t i = 0; i < values.size(); ++i) file.fields[i + 1].values.push_back(values[i]);
   }
   if (state.domain != nullptr) exportEdges(state, number, file);
   return file;

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "core/io/mesh_file.h"
 #include "core/io/text_sink.h"
 
 namespace triscope {
+
+/// Per point, the number from 1 of the first group that has an edge there; 0 inside.
+std::vector<int> pointMarkers(const MeshFile& file);
 
 void writeMsh4(const MeshFile& file, TextSink& out);
 void writeMsh2(const MeshFile& file, TextSink& out);

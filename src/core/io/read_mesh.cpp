@@ -58,8 +58,8 @@ struct Format {
 };
 
 constexpr Format kFormats[] = {
-    {".msh", readOne<parseMsh>}, {".vtu", readOne<parseVtu>}, {".node", readTriangle},
-    {".ele", readTriangle},      {".off", readOne<parseOff>}, {".obj", readOne<parseObj>},
+    {".msh", readOne<parseMsh>}, {".vtu", readOne<parseVtu>}, {".node", readTriangle},     {".ele", readTriangle},
+    {".su2", readOne<parseSu2>}, {".off", readOne<parseOff>}, {".obj", readOne<parseObj>},
 };
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace triscope {
 
 /// The format follows the extension: .msh (Gmsh 2.2 and 4.1, ASCII), .vtu (ASCII), .node or .ele (both are read, and
-/// .poly for the edges where there is one), .off, .obj. Errors: no_input when a file cannot be opened; bad_data with
+/// .poly for the edges where there is one), .su2, .off, .obj. Errors: no_input when a file cannot be opened; bad_data with
 /// the line, for what is damaged, not plane, or has elements other than triangles (points and edges aside).
 /// Every index in the result is valid.
 Result<MeshFile> readMesh(const std::string& path);
@@ -20,6 +20,7 @@ Result<MeshFile> parseMsh(std::string_view text);
 Result<MeshFile> parseVtu(std::string_view text);
 /// `poly` may be empty.
 Result<MeshFile> parseTriangle(std::string_view node, std::string_view ele, std::string_view poly);
+Result<MeshFile> parseSu2(std::string_view text);
 Result<MeshFile> parseOff(std::string_view text);
 Result<MeshFile> parseObj(std::string_view text);
 

@@ -6,7 +6,7 @@
 
 namespace triscope {
 
-void writeNode(const MeshFile& file, TextSink& out) {
+std::vector<int> pointMarkers(const MeshFile& file) {
   std::vector<int> marker(file.points.size(), 0);
   for (const MeshFile::Edge& edge : file.edges) {
     for (const int end : {edge.a, edge.b}) {
@@ -14,6 +14,11 @@ void writeNode(const MeshFile& file, TextSink& out) {
       if (m == 0) m = edge.group + 1;
     }
   }
+  return marker;
+}
+
+void writeNode(const MeshFile& file, TextSink& out) {
+  const std::vector<int> marker = pointMarkers(file);
   out.print("{} 2 0 1\n", file.points.size());
   for (std::size_t i = 0; i < file.points.size(); ++i) {
     out.print("{} {} {} {}\n", i + 1, file.points[i].x, file.points[i].y, marker[i]);

@@ -1,4 +1,4 @@
-// VTK's XML unstructured grid, ASCII: triangles with the fields as cell data. The named groups have no place in it.
+// VTK's XML unstructured grid, ASCII: triangles with the fields as cell data, and which group a point belongs to.
 #include "core/io/mesh_formats.h"
 
 namespace triscope {
@@ -48,6 +48,11 @@ void writeVtu(const MeshFile& file, TextSink& out) {
   for (std::size_t i = 0; i < file.triangles.size(); ++i) out.print("{}\n", kVtkTriangle);
   out.print("</DataArray>\n</Cells>\n");
 
+  if (!file.edges.empty()) {
+    out.print("<PointData>\n<DataArray type=\"Int32\" Name=\"boundary\" format=\"ascii\">\n");
+    for (const int marker : pointMarkers(file)) out.print("{}\n", marker);
+    out.print("</DataArray>\n</PointData>\n");
+  }
   if (!file.fields.empty()) out.print("<CellData>\n");
   for (const MeshFile::Field& field : file.fields) {
     out.print("<DataArray type=\"Float64\" Name=\"{}\" format=\"ascii\">\n", xmlText(field.name));
