@@ -8,7 +8,8 @@ std::string describe(const Error& error) {
   std::string where;
   if (!error.loop.empty()) where += fmt::format("loop '{}'", error.loop);
   if (error.point >= 0) where += fmt::format("{}point {}", where.empty() ? "" : ", ", error.point);
-  if (error.at) where += fmt::format("{}at ({}, {})", where.empty() ? "" : " ", error.at->x, error.at->y);
+  // For people: a computed place in all its digits would say no more.
+  if (error.at) where += fmt::format("{}at ({:.9g}, {:.9g})", where.empty() ? "" : " ", error.at->x, error.at->y);
 
   std::string line;
   if (!error.file.empty()) line += error.file + ": ";

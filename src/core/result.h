@@ -28,7 +28,7 @@ struct Error {
   std::string message{};      // what is wrong, with the numbers
   std::string hint{};         // what to do about it
   std::string file{};         // empty when it came from no file
-  std::string loop{};         // name of the loop or density entry, empty when none
+  std::string loop{};         // name of the loop, empty when none
   int point = -1;             // index of the point within the loop as the file numbers it, -1 when none
   std::optional<Point> at{};  // place in the plane, for the window to show
 };

@@ -115,7 +115,7 @@ Result<std::string_view> whichOf(const Object& object, std::span<const std::stri
 }
 
 Result<DensityRequest> readRequest(const JsonValue& value, int number, const Domain& domain) {
-  ReadPlace place{fmt::format("density {}", number)};
+  ReadPlace place{.entry = fmt::format("density entry {}", number)};
   const Object* object = value.object();
   if (object == nullptr) {
     return complaint(place, fmt::format("it is {}, not an object", value.typeName()),
@@ -128,7 +128,7 @@ Result<DensityRequest> readRequest(const JsonValue& value, int number, const Dom
   const auto description = readText(*object, "description", place, "");
   if (!description) return description.error();
   request.description = *description;
-  if (!name->empty()) place.loop = *name;
+  if (!name->empty()) place.entry = fmt::format("density entry '{}'", *name);
   if (auto status = checkKeys(*object, kKeys, place); !status) return status.error();
 
   constexpr std::array<std::string_view, 3> wheres{"at", "loop", "box"};
@@ -154,7 +154,7 @@ Result<DensityRequest> readRequest(const JsonValue& value, int number, const Dom
 Status readDensity(const JsonValue& value, Domain& domain) {
   const JsonValue::List* list = value.list();
   if (list == nullptr) {
-    return complaint({"density"}, fmt::format("it is {}, not a list", value.typeName()),
+    return complaint({}, fmt::format("\"density\" is {}, not a list", value.typeName()),
                      "write \"density\": [{\"at\": [x, y], \"length\": 0.1}, …]");
   }
   int number = 0;

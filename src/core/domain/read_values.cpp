@@ -36,6 +36,7 @@ bool representable(double coordinate) {
 }  // namespace
 
 Error complaint(const ReadPlace& place, std::string message, std::string hint) {
+  if (!place.entry.empty()) message = fmt::format("{}: {}", place.entry, message);
   if (place.piece >= 0) message = fmt::format("piece {}: {}", place.piece, message);
   return Error{.message = std::move(message), .hint = std::move(hint), .loop = place.loop};
 }

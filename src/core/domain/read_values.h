@@ -14,13 +14,14 @@ namespace triscope {
 inline constexpr double kLargestCoordinate = 1e30;
 inline constexpr double kSmallestCoordinate = 1e-40;  // 0 itself is fine
 
-/// What is being read: the loop or density entry, and the piece of it (-1: none).
+/// What is being read: the loop and the piece of it (-1: none), or an entry of another list ("density entry 2").
 struct ReadPlace {
-  std::string loop;
+  std::string loop{};
   int piece = -1;
+  std::string entry{};
 };
 
-/// An error at a place; a piece is named in the message.
+/// An error at a place; a piece or an entry is named in the message.
 Error complaint(const ReadPlace& place, std::string message, std::string hint);
 
 /// Refuses keys that are not in `known`, and suggests the one that was meant.
