@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include "cli/stage_names.h"
@@ -14,6 +17,8 @@ namespace {
 struct Texts {
   std::vector<std::string> set;
   std::string stage;
+  std::string cells;
+  std::string box;
   std::string place;
   std::vector<std::string> prints;
 };
@@ -36,6 +41,30 @@ Status applyStage(Stage& stage, const std::string& name) {
   const Result<Stage> named = stageNamed(name);
   if (!named.ok()) return named.error();
   stage = *named;
+  return success();
+}
+
+/// "x0,y0,x1,y1": two opposite corners.
+Status applyBox(std::optional<Box>& box, const std::string& text) {
+  if (text.empty()) return success();
+  std::array<double, 4> numbers{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  bool good = true;
+  for (std::size_t i = 0; i < numbers.size() && good; ++i) {
+    const auto [next, code] = std::from_chars(at, end, numbers[i]);
+    const bool last = i + 1 == numbers.size();
+    good = code == std::errc() && std::isfinite(numbers[i]) && (last ? next == end : next != end && *next == ',');
+    at = next + 1;
+  }
+  Box found;
+  found.include({numbers[0], numbers[1]});
+  found.include({numbers[2], numbers[3]});
+  if (!good || found.width() <= 0.0 || found.height() <= 0.0)
+    return Error{.code = ExitCode::usage,
+                 .message = fmt::format("--box wants two opposite corners, not '{}'", text),
+                 .hint = "write x0,y0,x1,y1, such as --box=-1,-1,2,1"};
+  box = found;
   return success();
 }
 
@@ -72,7 +101,8 @@ void addWindow(CLI::App& app, WindowOptions& options) {
 }
 
 CLI::App& addMesh(CLI::App& app, MeshCommand& options, Texts& texts) {
-  CLI::App& mesh = *app.add_subcommand("mesh", "Mesh a domain without a window");
+  CLI::App& mesh =
+      *app.add_subcommand("mesh", "Mesh a domain without a window; notes say which bounds are not met, and where");
   mesh.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
   mesh.add_option(
           "-o,--output", options.outputs,
@@ -90,7 +120,7 @@ CLI::App& addMesh(CLI::App& app, MeshCommand& options, Texts& texts) {
 
 CLI::App& addCheck(CLI::App& app, CheckCommand& options) {
   CLI::App& check = *app.add_subcommand("check", "Judge a mesh file: the bounds of the paper, and whether it is valid");
-  check.add_option("MESH", options.mesh, "Mesh file: .msh, .vtu, .node, .off or .obj")->required()->type_name("");
+  check.add_option("MESH", options.mesh, "Mesh file: .msh, .vtu, .node, .su2, .off or .obj")->required()->type_name("");
   check.add_option("--domain", options.domain, "Domain file that the mesh must fill")->type_name("FILE");
   return check;
 }
@@ -105,6 +135,13 @@ CLI::App& addFigure(CLI::App& app, FigureCommand& options, Texts& texts) {
   figure.add_option("--stage", texts.stage, "Draw the state at the end of this stage: " + stageNames())
       ->type_name("STAGE");
   addSet(figure, texts);
+  figure
+      .add_option("--cells", texts.cells,
+                  "Draw the quadtree, at any stage, coloured by density rank or by type of cell: rank, type")
+      ->check(CLI::IsMember({"rank", "type"}))
+      ->type_name("COLOURING");
+  figure.add_option("--box", texts.box, "Draw the part of the plane between two opposite corners only")
+      ->type_name("X0,Y0,X1,Y1");
   figure.add_option("--width", options.width, "Width in pixels")->check(CLI::Range(64, 16384))->capture_default_str();
   figure.add_option("--height", options.height, "Height in pixels")
       ->check(CLI::Range(64, 16384))
@@ -182,8 +219,9 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   app.set_version_flag("--version", "triscope " TRISCOPE_VERSION, "Print the version and exit");
   app.require_subcommand(0, 1);
   app.footer(
-      "Exit codes: 0 done, 1 a bound not met or a mesh not valid, 2 wrong usage, 65 bad data, 66 no such input,\n"
-      "69 no display, 70 a defect of the program, 73 an output cannot be written, 130 stopped by Ctrl+C.");
+      "Exit codes: 0 done, 1 the method could not go on (check: a bound not met or a mesh not valid), 2 wrong usage,\n"
+      "65 bad data, 66 no such input, 69 no display, 70 a defect of the program, 73 an output cannot be written,\n"
+      "130 stopped by Ctrl+C.");
 
   WindowOptions window;
   MeshCommand mesh;
@@ -226,6 +264,8 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   if (figureCommand.parsed()) {
     if (const Status status = applySettings(figure.settings, texts.set); !status.ok()) return complain(status.error());
     if (const Status status = applyStage(figure.stage, texts.stage); !status.ok()) return complain(status.error());
+    if (const Status status = applyBox(figure.box, texts.box); !status.ok()) return complain(status.error());
+    if (!texts.cells.empty()) figure.cells = texts.cells == "type" ? CellColoring::type : CellColoring::rank;
     return Options{figure};
   }
   if (debugCommand.parsed()) {

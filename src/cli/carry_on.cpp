@@ -24,7 +24,8 @@ Result<MeshState> beginFile(const std::string& domainFile, const Settings& setti
   Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), settings);
   if (state.ok() && state->minEdgeDerived && !quiet)
     fmt::print(stderr,
-               "smallest edge length {:g}, derived from the geometry; --set min_edge_length=… chooses another\n",
+               "aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
+               "another\n",
                state->minEdge);
   return state;
 }

@@ -22,6 +22,27 @@ Status checkFigures(const std::vector<std::string>& paths) {
   return success();
 }
 
+Status checkBox(const FigureCommand& options, const Box& domain) {
+  const bool meets = !options.box || (options.box->lo.x < domain.hi.x && options.box->hi.x > domain.lo.x &&
+                                      options.box->lo.y < domain.hi.y && options.box->hi.y > domain.lo.y);
+  if (meets) return success();
+  return Error{.code = ExitCode::usage,
+               .message = "the part to draw lies outside the domain",
+               .hint = fmt::format("the domain reaches from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g})", domain.lo.x,
+                                   domain.lo.y, domain.hi.x, domain.hi.y),
+               .file = options.domain};
+}
+
+ViewOptions viewOf(const FigureCommand& options) {
+  ViewOptions view = figureView(options.stage);
+  if (options.dark) view.theme = ThemeKind::dark;
+  if (options.cells) {
+    view.quadtree = true;
+    view.cells = *options.cells;
+  }
+  return view;
+}
+
 }  // namespace
 
 ExitCode runCommand(const FigureCommand& options) {
@@ -29,17 +50,18 @@ ExitCode runCommand(const FigureCommand& options) {
   watchForInterrupt();
   Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
   if (!state.ok()) return fail(state.error());
+  if (const Status inside = checkBox(options, state->domain->bounds); !inside.ok()) return fail(inside.error());
   if (const Status writable = probeOutputs(options.outputs); !writable.ok()) return fail(writable.error());
 
   if (const Result<StageSeconds> done = carryOn(*state, options.stage, nullptr, options.quiet); !done.ok())
     return fail(done.error());
   if (state->failed) return fail(failureOf(*state));
 
-  ViewOptions view = figureView(options.stage);
-  if (options.dark) view.theme = ThemeKind::dark;
+  const ViewOptions view = viewOf(options);
   FigureOptions figure;
   figure.width = options.width;
   figure.height = options.height;
+  figure.region = options.box;
   figure.title = figureTitle(*state, options.stage);
   figure.caption = figureCaption(*state, options.stage);
   for (const std::string& path : options.outputs) {

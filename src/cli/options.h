@@ -9,6 +9,7 @@
 #include "cli/debug_request.h"
 #include "core/settings.h"
 #include "core/stage.h"
+#include "render/view_options.h"
 #include "ui/window.h"
 
 namespace triscope {
@@ -36,8 +37,10 @@ struct FigureCommand {
   std::string domain;
   Settings settings;
   std::vector<std::string> outputs;
-  Stage stage = Stage::refine;  // drawn as it is when this stage is over
-  int width = 1200;             // pixels
+  Stage stage = Stage::refine;        // drawn as it is when this stage is over
+  std::optional<CellColoring> cells;  // draw the quadtree, coloured so; by default as suits the stage
+  std::optional<Box> box;             // draw this part of the plane only
+  int width = 1200;                   // pixels
   int height = 900;
   bool dark = false;
   bool quiet = false;
