@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "core/pipeline.h"
 
@@ -143,6 +145,24 @@ std::string ranking(const Event& e) {
   return text + besideCell(e) + fmt::format(": {}.", describe(e.rule));
 }
 
+struct Leaves {
+  std::uint64_t cells = 0;
+  int lowest = 0;  // density ranks among those that the domain meets
+  int highest = 0;
+};
+
+Leaves leavesOf(const Quadtree& tree) {
+  Leaves leaves;
+  for (const Cell& cell : tree.cells) {
+    if (cell.child >= 0) continue;
+    ++leaves.cells;
+    if (cell.type == CellType::outside) continue;
+    leaves.lowest = leaves.lowest == 0 ? cell.density : std::min<int>(leaves.lowest, cell.density);
+    leaves.highest = std::max<int>(leaves.highest, cell.density);
+  }
+  return leaves;
+}
+
 }  // namespace
 
 std::string captionOf(const Event& e) {
@@ -183,6 +203,42 @@ std::string captionOf(const Event& e) {
                          refusalOf(e));
     case EventKind::failure:
       return fmt::format("{} cannot go on at {}.", stage, place(e.at));
+  }
+  return {};
+}
+
+std::string captionOf(const Event& e, const MeshState& state) {
+  const std::string stage = capitalised(infoOf(e.stage).name);
+  const std::string triangles = count(state.mesh.liveCount(), "triangle", "triangles");
+  switch (e.stage) {
+    case Stage::constraints:
+      return fmt::format("{} are done: {} found, Δx = {}.", stage, state.constraints.size(), number(state.minEdge));
+    case Stage::quadtree:
+      return fmt::format("{} is done: {}.", stage, count(leavesOf(state.tree).cells, "cell", "cells"));
+    case Stage::density: {
+      const Leaves leaves = leavesOf(state.tree);
+      return fmt::format("{} is done: {}, ranks {}–{}, {:.0f} triangles estimated.", stage,
+                         count(leaves.cells, "cell", "cells"), leaves.lowest, leaves.highest,
+                         std::floor(state.estimatedTriangles));
+    }
+    case Stage::boundary:
+      return fmt::format(
+          "{} are done: {} placed between those of the input.", stage,
+          std::count_if(state.boundary.begin(), state.boundary.end(), [](const BoundaryPoint& p) { return !p.kept; }));
+    case Stage::triangulation:
+      return fmt::format("{} is done: {}, those outside the domain among them.", stage, triangles);
+    case Stage::recovery:
+      return e.subject == 0 ? fmt::format("{} is done: no boundary edge was missing.", stage)
+                            : fmt::format("{} is done: {} split.", stage, count(e.subject, "edge was", "edges were"));
+    case Stage::carve:
+      return fmt::format("{} is done: {} outside gave way, {} stay.", stage, e.subject, state.mesh.liveCount());
+    case Stage::refine:
+      return fmt::format("{} is done: {} in it, {}.", stage, count(e.subject, "change", "changes"), triangles);
+    case Stage::finished:
+      break;
+    default:  // fronts, steps 1 to 5, repair
+      if (e.subject == 0) return fmt::format("{} is done: it had nothing to change; {}.", stage, triangles);
+      return fmt::format("{} is done: {} inserted, {}.", stage, count(e.subject, "point", "points"), triangles);
   }
   return {};
 }

@@ -72,6 +72,7 @@ enum class Action : std::uint8_t {
   decision,
   labels,
   legend,
+  side_panels,
   next_fill,
   next_theme,
   larger,

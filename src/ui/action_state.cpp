@@ -92,6 +92,10 @@ std::string whyNot(Action action, const View& view) {
   }
 }
 
+Stage stageOf(const Snapshot& now) {
+  return now.last && now.state.stage != Stage::finished ? now.last->stage : now.state.stage;
+}
+
 std::optional<bool> isOn(Action action, const UiState& ui) {
   const ViewOptions& o = ui.options;
   switch (action) {
@@ -119,6 +123,8 @@ std::optional<bool> isOn(Action action, const UiState& ui) {
       return o.labels;
     case Action::legend:
       return ui.look.legend;
+    case Action::side_panels:
+      return ui.sidePanelsShown;
     case Action::place_density:
       return ui.density.placing;
     case Action::breakpoints_panel:

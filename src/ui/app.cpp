@@ -6,6 +6,7 @@
 
 #include "core/domain/read.h"
 #include "render/embedded.h"
+#include "render/figure.h"
 #include "ui/panels.h"
 #include "ui/preferences.h"
 #include "ui/style.h"
@@ -13,6 +14,9 @@
 
 namespace triscope {
 namespace {
+
+// A dialog's text field is ready for keys so many frames after the dialog was asked for.
+constexpr std::uint64_t kFramesOfOpening = 3;
 
 constexpr const char* kFirstSample = "blunt_body.json";
 
@@ -56,6 +60,8 @@ std::string App::start(double monitorScale) {
   renderer_ = std::make_unique<GlRenderer>();
   return renderer_->start();
 }
+
+bool App::takesKeys() const { return dialogDrawn_ == Dialog::none || frames_ - dialogFrame_ >= kFramesOfOpening; }
 
 void App::onKey(int key, int mods) {
   // While text is typed, keys without Ctrl and those that edit text are not commands; Esc and F1 … F25 always are.
@@ -105,8 +111,16 @@ void App::followRun() {
   if (!session_.busy() && !tuning_)
     while (!ui_.undo.empty() && ui_.undo.back() == inForce()) ui_.undo.pop_back();
   if (ui_.density.request && *ui_.density.request >= session_.domain()->density.size()) ui_.density.request.reset();
+  followStage();
   resolveSelection();
   keepInRange();
+}
+
+void App::followStage() {
+  if (!ui_.layersFollow || !shown_) return;
+  const ViewOptions figure = figureView(stageOf(*shown_));
+  ui_.options.quadtree = figure.quadtree;
+  ui_.options.constraints = figure.constraints;
 }
 
 void App::resolveSelection() {
@@ -167,6 +181,9 @@ void App::frame() {
     ImGui::EndMainMenuBar();
   }
   const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const bool resized = size.x != windowSize_.x || size.y != windowSize_.y;
+  if (resized && ui_.dialog == Dialog::none) closeMenus();  // they would stay where the place they are about was
+  windowSize_ = size;
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
   legendOnCanvas_ = layout.legend.size.y <= 0.0f;
   drawPicture(layout.canvas);
@@ -176,6 +193,10 @@ void App::frame() {
   if (!orders.empty()) followRun();
   finishExport();
   followDocument();
+  if (ui_.dialog != dialogDrawn_) {
+    dialogDrawn_ = ui_.dialog;
+    dialogFrame_ = frames_;
+  }
   if (stateFile_.wanted()) stateFile_.update(describeWindow(view(), captionNow(view())), frames_);
 }
 
@@ -233,29 +254,34 @@ void App::drawRegions(const Layout& layout, const View& shown, Orders& orders) {
     if (beginRegion("##legend", layout.legend, {0, 0})) drawLegendRegion(shown, orders);
     ImGui::End();
   }
-  drawSide("##left", Side::left, layout.left, shown, orders);
-  drawSide("##right", Side::right, layout.right, shown, orders);
+  // With one column left, it has all the tabs.
+  const bool both = layout.right.size.x >= 2.0f;
+  drawSide("##left", both ? std::optional(Side::left) : std::nullopt, layout.left, shown, orders);
+  if (both) drawSide("##right", Side::right, layout.right, shown, orders);
+  wantedTab_.clear();
+  ui_.sidePanelsShown = layout.left.size.x >= 2.0f;
   drawBottom(layout, shown, orders);
   drawSplitters(shown, orders, layout);
   drawDialog(shown, orders);
 }
 
-void App::drawSide(const char* name, Side side, const Region& region, const View& shown, Orders& orders) {
+void App::drawSide(const char* name, std::optional<Side> side, const Region& region, const View& shown,
+                   Orders& orders) {
   if (region.size.x < 2.0f) return;
-  if (beginRegion(name, region, {shown.px(10), shown.px(6)}) && ImGui::BeginTabBar("tabs")) {
+  constexpr ImGuiTabBarFlags kTabs = ImGuiTabBarFlags_FittingPolicyScroll | ImGuiTabBarFlags_NoTooltip;
+  if (beginRegion(name, region, {shown.px(10), shown.px(6)}) && ImGui::BeginTabBar("tabs", kTabs)) {
     for (const PanelInfo& panel : panels()) {
-      if (panel.side != side) continue;
+      if (side ? panel.side != *side : panel.side == Side::bottom) continue;
       const ImGuiTabItemFlags flags = wantedTab_ == panel.name ? ImGuiTabItemFlags_SetSelected : 0;
       const bool open = ImGui::BeginTabItem(panel.name, nullptr, flags);
       note(shown, std::string("tab.") + panel.name);
       if (!open) continue;
-      if (wantedTab_.empty()) (side == Side::left ? ui_.tab : ui_.debug.rightTab) = panel.name;
+      if (wantedTab_.empty()) (panel.side == Side::left ? ui_.tab : ui_.debug.rightTab) = panel.name;
       if (ImGui::BeginChild("content", {0, 0}, false)) panel.draw(shown, orders);
       ImGui::EndChild();
       ImGui::EndTabItem();
     }
     ImGui::EndTabBar();
-    if (side == Side::right) wantedTab_.clear();
   }
   ImGui::End();
 }

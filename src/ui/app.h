@@ -34,6 +34,8 @@ class App {
   void releaseGl() { renderer_.reset(); }
   void setMonitorScale(double scale) { ui_.monitorScale = scale; }
 
+  /// False while a dialog is on its way to the screen: what is typed then is meant for it.
+  [[nodiscard]] bool takesKeys() const;
   void onKey(int key, int mods);
   void onDrop(const std::string& path);
 
@@ -82,10 +84,11 @@ class App {
   [[nodiscard]] View view();
   void drawRegions(const Layout& layout, const View& view, Orders& orders);
   void drawBottom(const Layout& layout, const View& view, Orders& orders);
-  void drawSide(const char* name, Side side, const Region& region, const View& view, Orders& orders);
+  void drawSide(const char* name, std::optional<Side> side, const Region& region, const View& view, Orders& orders);
   void drawDialog(const View& view, Orders& orders);
   void drawPicture(const Region& region);
   void followRun();
+  void followStage();
   void resolveSelection();
   void performPressed();
 
@@ -146,6 +149,7 @@ class App {
   void discardKept();
   void exportTo(const std::string& path);
   void finishExport();
+  [[nodiscard]] std::string freePath(const char* extension) const;
   [[nodiscard]] std::string suggestedPath(const char* extension) const;
 
   std::function<void()> wake_;
@@ -187,6 +191,9 @@ class App {
   std::uint64_t failuresSeen_ = 0;
   bool closing_ = false;
   std::uint64_t frames_ = 0;
+  Dialog dialogDrawn_ = Dialog::none;  // last
+  std::uint64_t dialogFrame_ = 0;      // since when
+  ImVec2 windowSize_{0.0f, 0.0f};
   std::optional<Tuning> tuning_;  // while a control for a parameter is held
 };
 

@@ -69,9 +69,11 @@ void App::toggleBookmark() {
                                    [](const Bookmark& mark, std::uint64_t t) { return mark.tick < t; });
   if (at != marks.end() && at->tick == tick) {
     marks.erase(at);
+    ui_.message = "The bookmark was taken away.";
     return;
   }
   marks.insert(at, {tick, fmt::format("Decision {}", tick)});
+  ui_.message = fmt::format("Bookmark at decision {}. J and Shift+J go to it.", tick);
 }
 
 void App::goToMark(bool after) {

@@ -1,16 +1,10 @@
 // What orders do.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
-#include "core/io/atomic_file.h"
-#include "core/io/export.h"
-#include "core/io/write_mesh.h"
-#include "render/figure.h"
 #include "ui/app.h"
+#include "ui/widgets.h"
 
 namespace triscope {
 namespace {
@@ -20,20 +14,6 @@ using std::chrono::milliseconds;
 // A step that takes longer than this is shown when it is done; until then the window goes on.
 constexpr auto kPatience = milliseconds(40);
 
-bool isDomain(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
-
-Status writeText(const std::string& path, const std::string& text) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  if (const Status written = file->write(text); !written) return written;
-  return file->commit();
-}
-
-bool isPicture(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  return extension == ".svg" || extension == ".png";
-}
-
 }  // namespace
 
 void App::carryOut(const Order& order) {
@@ -42,6 +22,10 @@ void App::carryOut(const Order& order) {
     void operator()(Action action) const { app.perform(action); }
     void operator()(const Command& command) const { app.apply(command); }
     void operator()(const ViewOptions& options) const { app.ui_.options = options; }
+    void operator()(const order::LayersFollow& o) const {
+      app.ui_.layersFollow = o.on;
+      app.followStage();
+    }
     void operator()(const Camera& camera) const {
       app.ui_.camera = camera;
       app.fitted_ = false;
@@ -168,6 +152,7 @@ void App::perform(Action action) {
     ui_.message = reason;
     return;
   }
+  ui_.message.clear();  // of what was done before
   switch (action) {
     case Action::open:
       openDialog_.prepare(shownDomain_ ? shownDomain_->file : std::string());
@@ -186,9 +171,9 @@ void App::perform(Action action) {
       exportDialog_.prepare(suggestedPath(".msh"));
       return openDialog(Dialog::export_to);
     case Action::save_picture:
-      return exportTo(suggestedPath(".png"));
+      return exportTo(freePath(".png"));
     case Action::save_figure:
-      return exportTo(suggestedPath(".svg"));
+      return exportTo(freePath(".svg"));
     case Action::quit:
       closing_ = true;
       return;
@@ -295,8 +280,10 @@ void App::toggle(Action action) {
     case Action::boundary_points:
       return flip(o.boundaryPoints);
     case Action::quadtree:
+      ui_.layersFollow = false;
       return flip(o.quadtree);
     case Action::constraints:
+      ui_.layersFollow = false;
       return flip(o.constraints);
     case Action::fronts:
       return flip(o.fronts);
@@ -314,6 +301,9 @@ void App::toggle(Action action) {
       return flip(o.labels);
     case Action::legend:
       return flip(ui_.look.legend);
+    case Action::side_panels:
+      ui_.sidePanels = !ui_.sidePanelsShown;
+      return;
     default:
       return;
   }
@@ -322,6 +312,8 @@ void App::toggle(Action action) {
 void App::cancel() {
   if (ui_.dialog != Dialog::none)
     ui_.dialog = Dialog::none;
+  else if (menuOpen())
+    closeMenus();
   else if (tuning_ && !tuning_->cancelled)
     cancelTuning();
   else if (session_.busy())
@@ -334,8 +326,6 @@ void App::cancel() {
     ui_.density.request.reset();
   else if (ui_.selected.selection.kind != Selection::Kind::none)
     select({});
-  else
-    ui_.message.clear();
 }
 
 void App::select(const Pick& pick) {
@@ -359,7 +349,9 @@ void App::showWorst(std::int32_t slot, std::int32_t other) {
 }
 
 void App::frameBox(const Box& box, double marginAt100) {
-  ui_.camera = fitted(box, ui_.camera.width, ui_.camera.height, marginAt100 * ui_.scale());
+  const double most = 0.06 * std::min(ui_.camera.width, ui_.camera.height);  // of a small canvas
+  const double margin = std::min(marginAt100 * ui_.scale(), most);
+  ui_.camera = fitted(box, ui_.camera.width, ui_.camera.height, margin);
   fitted_ = false;
 }
 
@@ -379,52 +371,6 @@ void App::setScale(double scale) { ui_.look.scale = std::clamp(std::round(scale 
 void App::openDialog(Dialog dialog) {
   ui_.dialog = dialog;
   if (dialog != Dialog::error) ui_.error.reset();
-}
-
-std::string App::suggestedPath(const char* extension) const {
-  std::string name = shownDomain_ && !shownDomain_->name.empty() ? shownDomain_->name : "mesh";
-  std::replace_if(name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
-  std::error_code failure;
-  return (std::filesystem::current_path(failure) / (name + extension)).string();
-}
-
-void App::exportTo(const std::string& path) {
-  if (export_.running()) return;
-  const SnapshotPtr now = session_.current();
-  if (now == nullptr) return;
-  ui_.exporting = true;
-  exportPath_ = path;
-  ui_.message = "Writing " + path + " …";
-  ViewOptions options = ui_.options;
-  options.theme = ui_.look.theme;
-  options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
-  FigureOptions figure;
-  figure.width = static_cast<int>(ui_.camera.width);
-  figure.height = static_cast<int>(ui_.camera.height);
-  figure.scale = ui_.scale();
-  figure.title = figureTitle(now->state, now->state.stage);
-  figure.caption = figureCaption(now->state, now->state.stage);
-  figure.region = visibleBox(ui_.camera);
-  export_.start(
-      [now, path, options, figure]() -> Status {
-        if (isDomain(path)) return writeText(path, now->state.domain->text);
-        if (isPicture(path)) return writeFigure(path, now->state, options, figure);
-        return writeMesh(path, exportMesh(now->state));
-      },
-      wake_);
-}
-
-void App::finishExport() {
-  const std::optional<Status> outcome = export_.finished();
-  if (!outcome) return;
-  ui_.exporting = false;
-  if (*outcome) {
-    ui_.message = "Wrote " + exportPath_ + ".";
-    return;
-  }
-  ui_.message.clear();
-  ui_.error = outcome->error();
-  ui_.dialog = Dialog::error;
 }
 
 }  // namespace triscope

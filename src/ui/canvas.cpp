@@ -72,13 +72,30 @@ void centreOn(const View& view, Orders& orders, Point mouse) {
   orders.emplace_back(camera);
 }
 
+/// What can be asked about the element under the mouse; each entry selects it first.
+void aboutTheElement(const View& view, Orders& orders, Point mouse) {
+  if (view.now() == nullptr) return;
+  const double reach = kPickReach * view.ui.scale() / view.ui.camera.scale;
+  const Pick here = pick(view.now()->state, toWorld(view.ui.camera, mouse), reach, false);
+  const std::optional<Ref> ref = refOf(here);
+  const auto entry = [&](const char* label, const std::string& keys, const char* name) {
+    const bool pressed = ImGui::MenuItem(label, keys.c_str(), false, ref.has_value());
+    note(view, name, ref.has_value());
+    if (pressed) orders.emplace_back(order::SelectElement{here});
+    return pressed;
+  };
+  entry(("Select " + (ref ? nameOf(*ref) : "what is here")).c_str(), "click", "context.select");
+  if (entry("Why is it here?", keysOf(infoOf(Action::why)), "context.why")) orders.emplace_back(Action::why);
+  if (entry("Break here", keysOf(infoOf(Action::breakpoint)), "context.break")) orders.emplace_back(Action::breakpoint);
+  if (entry("History", "", "context.history")) orders.emplace_back(order::ShowTab{"History"});
+}
+
 void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
   if (!ImGui::BeginPopup("canvas menu")) return;
   const ImVec2 at = ImGui::GetMousePosOnOpeningCurrentPopup();
   const Point mouse = toPoint({at.x - corner.x, at.y - corner.y});
   const Point world = toWorld(view.ui.camera, mouse);
-  if (view.now() != nullptr && ImGui::MenuItem("Select what is here")) click(view, orders, mouse);
-  note(view, "context.select");
+  aboutTheElement(view, orders, mouse);
   const bool hasCells = view.now() != nullptr && !view.now()->state.tree.cells.empty();
   if (ImGui::MenuItem("Select the quadtree cell here", "Ctrl+click", false, hasCells))
     orders.emplace_back(order::SelectElement{pick(view.now()->state, world, 0.0, true)});
@@ -121,7 +138,7 @@ void labels(const View& view, ImVec2 corner) {
   for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale)) {
     const Label& label = *placed.label;
     canvas.text(toPoint(corner) + placed.at, label.text,
-                {static_cast<double>(label.size) * scale, Weight::regular, label.color, label.halo, Anchor::left});
+                {static_cast<double>(label.size) * scale, Weight::semibold, label.color, label.halo, Anchor::left});
   }
 }
 

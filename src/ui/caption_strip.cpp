@@ -55,9 +55,7 @@ void figureOf(const StageInfo& info) {
 }
 
 Stage stageTold(const View& view) {
-  const Snapshot& now = *view.now();
-  if (view.inInsertion()) return view.ui.insertion.now->event.stage;
-  return now.last && now.state.stage != Stage::finished ? now.last->stage : now.state.stage;
+  return view.inInsertion() ? view.ui.insertion.now->event.stage : stageOf(*view.now());
 }
 
 }  // namespace
@@ -71,12 +69,14 @@ std::string captionNow(const View& view) {
   if (view.inInsertion()) return insertion.captions[static_cast<std::size_t>(insertion.phase) - 1];
   if (now->state.stage == Stage::finished || now->state.failed || !now->last)
     return summaryOf(now->state, now->quality);
+  if (now->last->kind == EventKind::stage_finished) return captionOf(*now->last, now->state);
   return captionOf(*now->last);
 }
 
 void drawCaption(const View& view, Orders&) {
   const Snapshot* const now = view.now();
-  if (now != nullptr) {
+  const bool titled = now != nullptr && ImGui::GetContentRegionAvail().y > 2.5f * ImGui::GetTextLineHeight();
+  if (titled) {
     const StageInfo& info = infoOf(stageTold(view));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + view.px(6), at.y + 0.55f * ImGui::GetTextLineHeight()},
@@ -102,7 +102,7 @@ void drawCaption(const View& view, Orders&) {
   ImGui::TextUnformatted(caption.c_str());
   ImGui::PopTextWrapPos();
   note(view, "caption");
-  if (now != nullptr) ImGui::Unindent(view.px(20));
+  if (titled) ImGui::Unindent(view.px(20));
 }
 
 }  // namespace triscope

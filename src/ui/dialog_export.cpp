@@ -50,6 +50,7 @@ void ExportDialog::draw(const View& view, Orders& orders) {
   ImGui::Dummy({0, view.px(4)});
   muted(view, "File");
   ImGui::SetNextItemWidth(-1.0f);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
   note(view, "export.path");
   std::error_code failure;
@@ -62,8 +63,8 @@ void ExportDialog::draw(const View& view, Orders& orders) {
   note(view, "export.ok", reason.empty());
   tip(view, reason.empty() ? "Writes the mesh as it is at this moment." : reason);
   if ((pressed || entered) && reason.empty()) {
-    orders.emplace_back(order::ExportTo{path_});
     orders.emplace_back(order::CloseDialog{});
+    orders.emplace_back(order::ExportTo{path_});
   }
   ImGui::SameLine();
   if (ImGui::Button("Close", {view.px(110), 0.0f})) orders.emplace_back(order::CloseDialog{});

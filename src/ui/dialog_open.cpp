@@ -74,8 +74,8 @@ void OpenDialog::draw(const View& view, Orders& orders) {
   if (ImGui::BeginChild("samples", {view.px(180), height}, true))
     for (const std::string& name : sampleNames()) {
       if (ImGui::Selectable(name.c_str())) {
-        openSample(name, orders);
         orders.emplace_back(order::CloseDialog{});
+        openSample(name, orders);
       }
       note(view, "sample." + name);
     }
@@ -96,8 +96,8 @@ void OpenDialog::draw(const View& view, Orders& orders) {
         else
           path_ = whole;
         if (!entry.folder && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-          orders.emplace_back(command::OpenFile{whole});
           orders.emplace_back(order::CloseDialog{});
+          orders.emplace_back(command::OpenFile{whole});
         }
       }
       note(view, "file." + entry.name);
@@ -118,8 +118,8 @@ void OpenDialog::draw(const View& view, Orders& orders) {
   note(view, "open.ok", !path_.empty());
   tip(view, path_.empty() ? "Choose a file or type its path first." : "Reads, checks and meshes the file.");
   if ((pressed || entered) && !path_.empty()) {
-    orders.emplace_back(command::OpenFile{path_});
     orders.emplace_back(order::CloseDialog{});
+    orders.emplace_back(command::OpenFile{path_});
   }
   ImGui::SameLine();
   if (ImGui::Button("Close", {view.px(110), 0.0f})) orders.emplace_back(order::CloseDialog{});

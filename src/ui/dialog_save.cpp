@@ -29,8 +29,8 @@ void SaveDialog::draw(const View& view, Orders& orders) {
   note(view, "save.ok", reason.empty());
   tip(view, reason.empty() ? "Writes the session; 'triscope replay' checks it." : reason);
   if ((pressed || entered) && reason.empty()) {
-    orders.emplace_back(order::SaveTo{path_});
     orders.emplace_back(order::CloseDialog{});
+    orders.emplace_back(order::SaveTo{path_});
   }
   ImGui::SameLine();
   if (ImGui::Button("Close", {view.px(110), 0.0f})) orders.emplace_back(order::CloseDialog{});

@@ -16,6 +16,7 @@ constexpr double kLowestBottom = 120.0;
 constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
 constexpr double kNarrowestCanvas = 196.0;
+constexpr double kCanvasShare = 0.4;   // of the width, at least: else a side panel gives way
 constexpr double kNarrowLeft = 232.0;  // room for its tabs
 constexpr double kNarrowRight = 200.0;
 constexpr double kCaptionText = 1250.0;  // a long caption on one line
@@ -58,16 +59,19 @@ void splitter(const View& view, Orders& orders, const char* name, const Region& 
 Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const UiState& ui) {
   const auto px = [&ui](double at100) { return std::round(static_cast<float>(at100 * ui.scale())); };
   const float splitter = px(kSplitter);
-  float left = px(ui.look.leftWidth);
-  float right = px(ui.look.rightWidth);
-  const float room = std::max(0.0f, window.x - 2 * splitter - px(kNarrowestCanvas));
+  const auto leaves = [&](double sides) {
+    return window.x - px(sides) - 2 * splitter >= static_cast<float>(kCanvasShare) * window.x;
+  };
+  const bool one = leaves(kNarrowLeft);
+  const bool both = leaves(kNarrowLeft + kNarrowRight);
+  const bool shown = ui.sidePanels.value_or(one);
+  float left = shown ? px(ui.look.leftWidth) : 0.0f;
+  float right = shown && both ? px(ui.look.rightWidth) : 0.0f;
+  const float least = std::max(px(kNarrowestCanvas), static_cast<float>(kCanvasShare) * window.x);
+  const float room = std::max(0.0f, window.x - 2 * splitter - least);
   right = std::min(right, std::max(px(kNarrowRight), room - left));
   left = std::min(left, std::max(px(kNarrowLeft), room - right));
-  if (left + right > room) {
-    const float shrink = room / (left + right);
-    left = std::floor(left * shrink);
-    right = std::floor(right * shrink);
-  }
+  left = std::min(left, std::floor(0.8f * window.x));  // asked for where there is no room: over most of the picture
   const float y = menu + toolbar;
   const float status = window.y - px(kStatus);
   const bool low = static_cast<double>(window.y) < kLowWindow * ui.scale();
@@ -84,7 +88,8 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(captionWidth)), 2.0, 6.0);
   // A panel in a low window takes the caption's place.
   const float caption =
-      low && panel > 0.0f ? 0.0f : std::min(px(kCaptionRest + lines * kCaptionLine), std::floor(0.5f * height));
+      low && panel > 0.0f ? 0.0f
+                          : std::min(px(kCaptionRest + lines * kCaptionLine), std::floor((low ? 0.4f : 0.5f) * height));
   const float x = left + splitter;
   const float sides = low ? height - caption : height;
   const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.4f * sides;

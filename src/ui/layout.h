@@ -27,8 +27,9 @@ struct Layout {
   Region bottomSplitter;
 };
 
-/// `menu` and `toolbar` are the heights of the bars. Side panels give way where the canvas would get too narrow, the
-/// right one first; the caption gets more lines where it is narrow. `legend` is the size it needs, 0 when hidden.
+/// `menu` and `toolbar` are the heights of the bars. Side panels give way where the canvas would get too narrow: first
+/// they get narrower, then the right one goes (its tabs move to the left), then the left one too unless it is asked
+/// for. The caption gets more lines where it is narrow. `legend` is the size it needs, 0 when hidden.
 Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const UiState& ui);
 
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.

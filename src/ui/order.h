@@ -79,10 +79,13 @@ struct SetSpeed {
 struct ExportTo {
   std::string path;  // what is written goes by its extension
 };
+struct LayersFollow {
+  bool on = true;  // quadtree and constraints are shown while they are made
+};
 struct ShowTab {
   std::string name;
 };
-struct CloseDialog {};
+struct CloseDialog {};  // before the order that may open the next one: an error, say
 struct FollowLink {
   Ref ref;  // selects an element, or goes to an event
 };
@@ -101,12 +104,12 @@ struct ShowPlot {
 };
 }  // namespace order
 
-using Order =
-    std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame, order::Tune,
-                 order::EndTuning, order::SetSpeed, order::ExportTo, order::ShowTab, order::CloseDialog,
-                 order::FollowLink, order::ShowRange, order::TypeCondition, order::AddBreakpoint, order::ShowPlot,
-                 order::EditDensity, order::NameRequest, order::PlaceRequest, order::MoveRequest, order::SelectRequest,
-                 order::SaveTo, order::WriteNotes, order::NameBookmark, order::DropBookmark, order::Kept>;
+using Order = std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame,
+                           order::Tune, order::EndTuning, order::SetSpeed, order::ExportTo, order::ShowTab,
+                           order::LayersFollow, order::CloseDialog, order::FollowLink, order::ShowRange,
+                           order::TypeCondition, order::AddBreakpoint, order::ShowPlot, order::EditDensity,
+                           order::NameRequest, order::PlaceRequest, order::MoveRequest, order::SelectRequest,
+                           order::SaveTo, order::WriteNotes, order::NameBookmark, order::DropBookmark, order::Kept>;
 using Orders = std::vector<Order>;
 
 }  // namespace triscope

@@ -45,6 +45,12 @@ void drawLayers(const View& view, Orders& orders) {
   ImGui::Checkbox("outside the domain too", &options.outsideCells);
   note(view, "outside cells");
   ImGui::Unindent();
+  bool follow = view.ui.layersFollow;
+  if (ImGui::Checkbox("shown while they are made", &follow)) orders.emplace_back(order::LayersFollow{follow});
+  note(view, "layers follow");
+  tip(view,
+      "Constraints and quadtree are shown up to the end of the density stage, as in the figures, and hidden after it. "
+      "Switching one by hand ends that.");
 
   heading(view, "Mesh");
   actionSwitch(view, orders, Action::triangulation, "triangulation");

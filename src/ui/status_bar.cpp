@@ -24,6 +24,15 @@ struct Row {
     first = false;
     return fits;
   }
+  /// As much of it as there is room for.
+  void cut(const std::string& text) {
+    first = false;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = std::max(1.0f, end - ImGui::GetCursorPosX());
+    ImGui::PushClipRect(at, {at.x + width, at.y + ImGui::GetTextLineHeight()}, true);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopClipRect();
+  }
   bool text(const std::string& text, float atLeast = 0.0f) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     if (!room(std::max(width, atLeast))) return false;
@@ -65,7 +74,9 @@ void drawStatusBar(const View& view, Orders&) {
   const Snapshot* const now = view.now();
   if (!view.ui.message.empty()) {
     // What was just said matters most.
-    if (row.text(view.ui.message)) note(view, "message");
+    row.cut(view.ui.message);
+    note(view, "message");
+    tip(view, view.ui.message);
   }
   if (now != nullptr) {
     if (now->quality.triangles > 0 && row.room(view.px(300))) bounds(view, now->quality);

@@ -13,6 +13,7 @@ constexpr double kTight = 3.0;   // pixels at 100 %, between buttons of a group
 constexpr double kApart = 19.0;  // between groups
 constexpr double kSpeedWidth = 150.0;
 constexpr double kPadding = 8.0;
+constexpr double kLowWindow = 380.0;
 
 struct WorstButton {
   Action action;
@@ -106,10 +107,14 @@ std::array<Group, 5> groupsOf(const View& view) {
            {iconsWidth(view, 1), picture}}};
 }
 
+/// In a low window the picture needs the room: what does not fit is in the menus.
+bool oneRow(const View& view) { return ImGui::GetIO().DisplaySize.y < view.px(kLowWindow); }
+
 }  // namespace
 
 float toolbarHeight(const View& view, float width) {
   const float row = ImGui::GetFrameHeight() + view.px(kPadding);
+  if (oneRow(view)) return row + view.px(kPadding);
   float height = row + view.px(kPadding);
   float x = 0.0f;
   for (const Group& group : groupsOf(view)) {
@@ -129,6 +134,8 @@ void drawToolbar(const View& view, Orders& orders) {
     if (x > 0.0f && x + view.px(kApart) + group.width <= width) {
       ImGui::SameLine(0.0f, view.px(kApart));
       x += view.px(kApart);
+    } else if (x > 0.0f && oneRow(view)) {
+      continue;
     } else {
       x = 0.0f;
     }

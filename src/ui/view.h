@@ -65,16 +65,22 @@ struct InsertionUi {
   std::array<std::string, kInsertionPhases> captions;  // of the phases
 };
 
+/// The stage that what is shown belongs to: the last decision's, or the one to come where there is none.
+Stage stageOf(const Snapshot& now);
+
 /// Everything about the window that is not the run itself.
 struct UiState {
   ViewOptions options;
+  bool layersFollow = true;  // the stage, until one of them is switched by hand
   Camera camera;
   Appearance look;
   double monitorScale = 1.0;
   double speed = 60.0;  // decisions per second when playing
   Pick selected;        // id says what is meant even when slots have been reused
   bool selectedGone = false;
-  std::string tab = "Stages";  // on the left
+  std::string tab = "Stages";      // on the left
+  std::optional<bool> sidePanels;  // shown; nothing: where there is room for them
+  bool sidePanelsShown = true;     // last
   Dialog dialog = Dialog::none;
   std::optional<Error> error;   // shown by Dialog::error
   std::string message;          // the last thing worth telling, in the status bar

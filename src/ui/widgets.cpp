@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 #include "ui/style.h"
@@ -118,6 +120,12 @@ bool link(const View& view, const std::string& text) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
   return pressed;
+}
+
+bool menuOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+
+void closeMenus() {
+  if (menuOpen()) ImGui::ClosePopupToLevel(0, true);
 }
 
 bool beginDialog(const View& view, const char* title, double width) {

@@ -32,6 +32,10 @@ void muted(const View& view, const std::string& text);
 /// A word in the accent colour that can be clicked.
 bool link(const View& view, const std::string& text);
 
+/// Whether a menu or the list of a combo box is open.
+bool menuOpen();
+void closeMenus();
+
 /// Begins a modal dialog of this width (at 100 %), in the middle of the window. Call ImGui::EndPopup() when true.
 bool beginDialog(const View& view, const char* title, double width);
 

@@ -15,6 +15,7 @@
 
 #include "core/result.h"
 #include "ui/app.h"
+#include "ui/key_queue.h"
 #include "ui/screenshot.h"
 
 namespace triscope {
@@ -31,6 +32,7 @@ constexpr double kCaretWait = 0.25;
 struct LoopState {
   App* app = nullptr;
   int framesWanted = kFramesAfterEvent;
+  KeyQueue keys;
 };
 
 LoopState& stateOf(GLFWwindow* window) { return *static_cast<LoopState*>(glfwGetWindowUserPointer(window)); }
@@ -39,15 +41,10 @@ void stir(GLFWwindow* window) { stateOf(window).framesWanted = kFramesAfterEvent
 
 // Our callbacks are installed before Dear ImGui's, which call them in turn.
 void installCallbacks(GLFWwindow* window) {
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int mods) {
-    stir(w);
-    if (action != GLFW_RELEASE) stateOf(w).app->onKey(key, mods);
-  });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
     stir(w);
     if (count > 0) stateOf(w).app->onDrop(paths[0]);
   });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned) { stir(w); });
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { stir(w); });
   glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { stir(w); });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { stir(w); });
@@ -59,6 +56,31 @@ void installCallbacks(GLFWwindow* window) {
     stir(w);
     stateOf(w).app->setMonitorScale(std::clamp(static_cast<double>(scale), 0.75, 3.0));
   });
+}
+
+// After Dear ImGui's, which are called when the keys' turn has come.
+void installKeyCallbacks(GLFWwindow* window) {
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+    stir(w);
+    stateOf(w).keys.push({key, scancode, action, mods, 0});
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned text) {
+    stir(w);
+    stateOf(w).keys.push({.text = text});
+  });
+}
+
+/// Hands on what this frame can act on; the rest waits for the next one.
+void deliverKeys(GLFWwindow* window, LoopState& loop) {
+  if (!loop.app->takesKeys()) return;
+  for (const KeyEvent& event : loop.keys.take()) {
+    if (event.text != 0) {
+      ImGui_ImplGlfw_CharCallback(window, event.text);
+      continue;
+    }
+    if (event.action != GLFW_RELEASE) loop.app->onKey(event.key, event.mods);
+    ImGui_ImplGlfw_KeyCallback(window, event.key, event.scancode, event.action, event.mods);
+  }
 }
 
 int fail(ExitCode code, const std::string& message) {
@@ -150,7 +172,8 @@ int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& 
       glfwSetWindowTitle(window, title.c_str());
     }
     if (loop.framesWanted <= 0) continue;
-    --loop.framesWanted;
+    deliverKeys(window, loop);
+    loop.framesWanted = loop.keys.empty() ? loop.framesWanted - 1 : kFramesAfterEvent;
     const bool last = !options.screenshot.empty() && app.settled() && ++framesSettled == 2 * kFramesAfterEvent;
     const Status saved = drawFrame(window, app, last ? options.screenshot : std::string());
     if (!saved) return fail(saved.error().code, describe(saved.error()));
@@ -182,6 +205,7 @@ int runWindow(const WindowOptions& options) {
   ImGui::GetIO().IniFilename = nullptr;  // nothing is dropped into the working directory
   installCallbacks(window.get());
   ImGui_ImplGlfw_InitForOpenGL(window.get(), true);
+  installKeyCallbacks(window.get());
   ImGui_ImplOpenGL3_Init("#version 330 core");
   float scale = 1.0f;
   glfwGetWindowContentScale(window.get(), &scale, nullptr);

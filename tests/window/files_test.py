@@ -52,6 +52,57 @@ class Files(harness.WindowTest):
         self.window.key("Left")
         self.window.wait(lambda s: s["tick"] == before["tick"] - 1, "a step back")
 
+    def test_wrong_file_by_dialog_says_where(self):
+        path = self.write("crossed.json", CROSSED)
+        for how in ("Return", "click", "double click"):
+            self.window.key("ctrl+o")
+            self.window.widget("open.path")
+            if how == "double click":
+                self.double_click(path)
+            else:
+                self.window.key("ctrl+a")
+                self.window.type(path)
+                self.window.key("Return") if how == "Return" else self.window.click("open.ok")
+            state = self.window.wait(lambda s: s["dialog"] == "error", f"the error after {how}")
+            self.assertIn("crossed.json", state["error"])
+            self.window.click("dialog.close")
+            self.window.wait(lambda s: s["dialog"] == "none", "the error to close")
+
+    def double_click(self, path):
+        x, y = self.window.widget("file." + os.path.basename(path))
+        self.window.move(x, y)
+        self.window.xdotool("click", "--repeat", "2", "--delay", "120", "1")
+
+    def test_quick_keys_are_not_lost(self):
+        """Keys faster than the frames: select all, type a path, Return, with nothing between them."""
+        path = os.path.join(self.window.folder.name, "quick.off")
+        for key in ("ctrl+e", "ctrl+o"):
+            self.window.key(key)
+            self.window.wait(lambda s: s["dialog"] != "none", "the dialog")
+            self.window.xdotool("key", "--delay", "0", "Escape")
+            self.window.wait(lambda s: s["dialog"] == "none", "the dialog to close")
+        self.window.xdotool("key", "--delay", "0", "ctrl+e", "ctrl+a", "BackSpace")
+        self.window.xdotool("type", "--delay", "1", path + "x")
+        self.window.xdotool("key", "--delay", "0", "BackSpace", "Return")
+        self.window.wait(lambda s: s["message"] == f"Wrote {path}.", "the file to be written")
+        self.assertGreater(os.path.getsize(path), 1000)
+
+    def test_pictures_take_free_names(self):
+        paths = []
+        for name in ("blunt_body.png", "blunt_body-2.png", "blunt_body-3.png"):
+            paths.append(os.path.join(self.window.folder.name, name))
+            self.window.key("F12")
+            self.window.wait(lambda s: s["message"] == f"Wrote {paths[-1]}.", name)
+        self.assertEqual([p for p in paths if not os.path.exists(p)], [])
+
+    def test_a_message_is_gone_after_the_next_action(self):
+        self.window.key("shift+j")
+        self.window.wait(lambda s: "no mark before" in s["message"], "the reason")
+        self.window.key("Home")
+        self.window.wait(lambda s: s["message"] == "", "the message to go")
+        self.window.key("m")
+        self.window.wait(lambda s: "Bookmark at decision" in s["message"], "what M did")
+
     def test_dialog_opens_a_path_and_a_sample(self):
         path = self.write("square.json", SQUARE)
         self.window.key("ctrl+o")

@@ -84,6 +84,8 @@ class Keys(harness.WindowTest):
             self.each(layer, lambda a, b: b["layers"][layer] != a["layers"][layer])
         self.each("next_fill", lambda a, b: b["layers"]["fill"] == (a["layers"]["fill"] + 1) % 7)
         self.each("next_theme", lambda a, b: b["theme"] != a["theme"])
+        self.each("side_panels", lambda a, b: b["widgets"]["canvas"][2] > a["widgets"]["canvas"][2])
+        self.each("side_panels", lambda a, b: b["widgets"]["canvas"][2] < a["widgets"]["canvas"][2])
         self.each("larger", lambda a, b: b["scale"] == a["scale"] + 0.25)
         self.each("smaller", lambda a, b: b["scale"] == a["scale"] - 0.25)
         self.window.key("ctrl+equal")

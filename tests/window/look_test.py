@@ -1,6 +1,7 @@
 """Themes, scales, parameters and the circles: what is on the screen follows what the state says."""
 
 import os
+import re
 import tempfile
 import time
 import unittest
@@ -31,7 +32,10 @@ class Look(harness.WindowTest):
                 self.window.key("ctrl+equal" if self.window.state()["scale"] < scale else "ctrl+minus")
             state = self.window.settled()
             self.assertAlmostEqual(state["widgets"]["open"][3] / small, scale, delta=0.1)
-            fixed = ["open", "play_pause", "to_end", "speed", "fit", "save_picture", "canvas", "tab.Stages", "tab.Inspect"]
+            fixed = ["open", "play_pause", "to_end", "canvas", "tab.Stages"]
+            # Where the window is low beside its letters, one row of buttons and one column of tabs must do.
+            fixed += ["speed", "fit", "save_picture"] if scale <= 2 else []
+            fixed += ["tab.Inspect"] if scale <= 1.5 else []
             for name in fixed:
                 x, y, width, height, _ = state["widgets"][name]
                 self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, (scale, name))
@@ -66,6 +70,56 @@ class Look(harness.WindowTest):
             self.assertNotEqual(self.window.image().colors(left, top, width, height), before)
 
 
+class Stages(harness.WindowTest):
+    def test_layers_and_captions_follow_the_stage(self):
+        window = self.window
+        window.key("ctrl+Home")
+        window.wait(lambda s: s["tick"] == 0 and s["activity"] == "idle", "the start")
+        seen = []
+        for caption in (r"Constraints are done: \d+ found, Δx = 1\.", r"Quadtree is done: \d+ cells\.",
+                        r"Density is done: \d+ cells, ranks 1–\d+, \d+ triangles estimated\.",
+                        r"Boundary points are done: [1-9]\d* placed between those of the input\."):
+            window.key("ctrl+Right")
+            seen.append(window.wait(lambda s: re.fullmatch(caption, s["caption"]), caption)["layers"])
+        self.assertEqual([layers["quadtree"] for layers in seen], [True, True, True, False])
+        self.assertEqual([layers["constraints"] for layers in seen], [True, True, True, False])
+        # A switch by hand holds in every stage, until the layers are to follow again.
+        window.key("q")
+        window.key("End")
+        state = window.wait(lambda s: s["stage"] == "finished", "the end")
+        self.assertTrue(state["layers"]["quadtree"])
+        window.click("tab.Layers")
+        window.click("layers follow")
+        window.wait(lambda s: not s["layers"]["quadtree"], "the layers to follow again")
+
+    def test_the_whole_list_is_in_sight(self):
+        state = self.window.settled()
+        rows = [box for name, box in state["widgets"].items() if name.startswith("stage.")]
+        self.assertEqual(len(rows), 17)
+        for x, y, width, height, _ in rows:
+            self.assertGreater(y, state["widgets"]["tab.Stages"][1] + 15)
+            self.assertLess(y + height, state["widgets"]["timeline"][1])
+        self.assertEqual(len({box[1] for box in rows}), 17)
+
+
+class Room(harness.WindowTest):
+    def test_the_picture_keeps_its_share(self):
+        """However large everything is, a good part of the width is the picture's, and no panel is lost."""
+        window = self.window
+        for _ in range(8):
+            window.key("ctrl+equal")
+        state = window.wait(lambda s: s["scale"] == 3 and s["widgets"]["canvas"][2] >= 0.4 * 1280 - 40, "the picture")
+        self.assertGreater(state["widgets"]["canvas"][3], 150)
+        window.press(*window.pixel(-25, 5))
+        window.wait(lambda s: s["selection"]["kind"] != "none", "a selection")
+        window.key("y")
+        window.wait(lambda s: s["debug"]["tab"] == "Why" and "tab.Why" in s["widgets"], "the answer in the one column")
+        window.key("F4")
+        window.wait(lambda s: s["widgets"]["canvas"][2] > 1200, "the picture alone")
+        window.key("F4")
+        window.wait(lambda s: "tab.Why" in s["widgets"], "the column again")
+
+
 class Idle(harness.WindowTest):
     def test_nothing_is_drawn_while_nothing_happens(self):
         def ticks():
@@ -81,12 +135,19 @@ class Idle(harness.WindowTest):
 
 
 class Parameters(harness.WindowTest):
+    def scroll_down(self):
+        """To the end of the parameters, where the switches are."""
+        left, top, _, _ = self.window.canvas()
+        self.window.move(left / 2, top + 200)
+        self.window.xdotool("click", "--repeat", "12", "--delay", "40", "5")
+
     def test_switches_and_numbers_mesh_again(self):
         window = self.window
         start = window.settled()
         window.click("tab.Params")
         for name in ("laplacian", "reduce_obtuse", "shared_edge"):
             before = window.settled()
+            self.scroll_down()
             window.click("param." + name)
             after = window.wait(lambda s: s["settings"][name] == 0 and not s["stale"] and s["activity"] == "idle", name)
             self.assertNotEqual(after["hash"], before["hash"])

@@ -156,6 +156,24 @@ class Canvas(harness.WindowTest):
         window.click("context.cell")
         window.wait(lambda s: s["selection"]["kind"] == "cell", "a cell")
 
+    def test_context_menu_asks_about_what_is_there(self):
+        window = self.window
+        place = window.pixel(-25, 5)
+        window.press(*place, button=3)
+        window.widget("context.why")
+        window.key("Escape")
+        window.wait(lambda s: "context.why" not in s["widgets"], "Esc to close the menu")
+        window.press(*place, button=3)
+        window.click("context.why")
+        picked = window.wait(lambda s: s["selection"]["kind"] != "none" and s["debug"]["tab"] == "Why", "the answer")
+        window.press(*place, button=3)
+        window.click("context.history")
+        window.wait(lambda s: s["debug"]["tab"] == "History", "the history")
+        window.press(*place, button=3)
+        window.click("context.break")
+        state = window.wait(lambda s: s["message"].startswith("Breakpoint:"), "the breakpoint")
+        self.assertIn(str(picked["selection"]["id"]), state["message"])
+
     def test_splitters_move_the_borders(self):
         window = self.window
         left, _, width, _ = window.canvas()

@@ -1,0 +1,87 @@
+// Writing meshes, domains and pictures, on a thread of its own.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/io/atomic_file.h"
+#include "core/io/export.h"
+#include "core/io/write_mesh.h"
+#include "render/figure.h"
+#include "ui/app.h"
+
+namespace triscope {
+namespace {
+
+bool isDomain(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
+
+Status writeText(const std::string& path, const std::string& text) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (const Status written = file->write(text); !written) return written;
+  return file->commit();
+}
+
+bool isPicture(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".svg" || extension == ".png";
+}
+
+}  // namespace
+
+std::string App::suggestedPath(const char* extension) const {
+  std::string name = shownDomain_ && !shownDomain_->name.empty() ? shownDomain_->name : "mesh";
+  std::replace_if(name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+  std::error_code failure;
+  return (std::filesystem::current_path(failure) / (name + extension)).string();
+}
+
+std::string App::freePath(const char* extension) const {
+  const std::string wanted = suggestedPath(extension);
+  const std::string stem = wanted.substr(0, wanted.size() - std::string_view(extension).size());
+  std::error_code failure;
+  std::string path = wanted;
+  for (int k = 2; std::filesystem::exists(path, failure); ++k) path = fmt::format("{}-{}{}", stem, k, extension);
+  return path;
+}
+
+void App::exportTo(const std::string& path) {
+  if (export_.running()) return;
+  const SnapshotPtr now = session_.current();
+  if (now == nullptr) return;
+  ui_.exporting = true;
+  exportPath_ = path;
+  ui_.message = "Writing " + path + " …";
+  ViewOptions options = ui_.options;
+  options.theme = ui_.look.theme;
+  options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
+  FigureOptions figure;
+  figure.width = static_cast<int>(ui_.camera.width);
+  figure.height = static_cast<int>(ui_.camera.height);
+  figure.scale = ui_.scale();
+  figure.title = figureTitle(now->state, now->state.stage);
+  figure.caption = figureCaption(now->state, now->state.stage);
+  figure.region = visibleBox(ui_.camera);
+  export_.start(
+      [now, path, options, figure]() -> Status {
+        if (isDomain(path)) return writeText(path, now->state.domain->text);
+        if (isPicture(path)) return writeFigure(path, now->state, options, figure);
+        return writeMesh(path, exportMesh(now->state));
+      },
+      wake_);
+}
+
+void App::finishExport() {
+  const std::optional<Status> outcome = export_.finished();
+  if (!outcome) return;
+  ui_.exporting = false;
+  if (*outcome) {
+    ui_.message = "Wrote " + exportPath_ + ".";
+    return;
+  }
+  ui_.message.clear();
+  ui_.error = outcome->error();
+  ui_.dialog = Dialog::error;
+}
+
+}  // namespace triscope
