@@ -8,7 +8,7 @@ import subprocess
 import time
 
 import program
-from program import (BLUNT_BODY, CANCELLED, CANNOT_WRITE, DOMAINS, LONG_RUN, NO_INPUT, OK, STEP, UNMET, USAGE, run)
+from program import (BLUNT_BODY, CANCELLED, CANNOT_WRITE, DOMAINS, NO_INPUT, OK, STEP, UNMET, USAGE, run)
 
 ANNULUS = str(DOMAINS / "annulus.json")
 CRACKED = str(DOMAINS / "cracked_plate.json")
@@ -76,8 +76,8 @@ class Breaks(Debug):
         self.assertEqual(hit["event"]["stage"], "refine")
 
     def test_text_says_why_it_stopped(self):
-        text = self.expect(OK, run("debug", CRACKED, "--break", "refused and rule == step_3")).stdout
-        self.assertRegex(text, r"stopped by refused and rule == step_3\n  Event \d+: Step 3 proposed")
+        text = self.expect(OK, run("debug", CRACKED, "--break", "refused and rule == second_front")).stdout
+        self.assertRegex(text, r"stopped by refused and rule == second_front\n  Event \d+: Second front proposed")
 
     def test_one_that_is_never_met(self):
         process = run("debug", ANNULUS, "--break", "triangles > 1000000")
@@ -187,7 +187,7 @@ class Answers(Debug):
         self.expect(NO_INPUT, run("debug", self.path("missing.json")))
 
     def test_control_c(self):
-        process = subprocess.Popen([program.PROGRAM, "debug", BLUNT_BODY, *LONG_RUN], stdout=subprocess.PIPE,
+        process = subprocess.Popen([program.PROGRAM, "debug", self.long_domain()], stdout=subprocess.PIPE,
                                    stderr=subprocess.PIPE, text=True)
         time.sleep(0.5)
         self.assertIsNone(process.poll(), "the run ended before Ctrl+C was pressed")

@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import program
-from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, LONG_RUN, OK, STEP, UNMET, USAGE, run)
+from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, OK, STEP, UNMET, USAGE, run)
 
 STAGES = ["constraints", "quadtree", "density", "boundary", "triangulation", "carve", "fronts", "step1", "rounds", "refine"]
 FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
@@ -171,8 +171,8 @@ class NoHarm(program.ProgramTest):
 
     def interrupt(self, number):
         process = subprocess.Popen(
-            [program.PROGRAM, "mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--report", self.path("r.json"), "--events",
-             self.path("e.jsonl"), *LONG_RUN], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            [program.PROGRAM, "mesh", self.long_domain(), "-o", self.path("a.msh"), "--report", self.path("r.json"), "--events",
+             self.path("e.jsonl")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         time.sleep(0.5)
         self.assertIsNone(process.poll(), "the run ended before Ctrl+C was pressed")
         process.send_signal(number)

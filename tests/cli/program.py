@@ -39,6 +39,15 @@ class ProgramTest(unittest.TestCase):
         (self.folder / name).write_text(text, encoding="utf-8")
         return self.path(name)
 
+    def long_domain(self):
+        """A domain file, in a folder apart, that takes the program seconds to mesh on any machine."""
+        folder = tempfile.TemporaryDirectory(prefix="triscope-test-")
+        self.addCleanup(folder.cleanup)
+        path = pathlib.Path(folder.name) / "long.json"
+        path.write_text('{"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.001, '
+                        '"density": [{"box": [[0, 0], [1, 1]], "length": 0.001}]}', encoding="utf-8")
+        return str(path)
+
     def files(self):
         return sorted(entry.name for entry in self.folder.iterdir())
 
