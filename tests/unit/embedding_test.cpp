@@ -83,9 +83,7 @@ TEST(Embedding, APartMayLieInAHole) {
   EXPECT_EQ(overlapOf(meshOf(file.points, file.triangles)), "");
 }
 
-TEST(Embedding, AStripThatWindsTwiceOverlaps) {
-  EXPECT_NE(overlapOf(ring(40, 2, false)), "");
-}
+TEST(Embedding, AStripThatWindsTwiceOverlaps) { EXPECT_NE(overlapOf(ring(40, 2, false)), ""); }
 
 /// Two sheets about one vertex: the fan is closed and every triangle counter-clockwise, but it goes round twice.
 TEST(Embedding, AFanThatGoesRoundTwiceOverlaps) {

@@ -10,9 +10,9 @@
 namespace triscope {
 
 /// The format follows the extension: .msh (Gmsh 2.2 and 4.1, ASCII), .vtu (ASCII), .node or .ele (both are read, and
-/// .poly for the edges where there is one), .su2, .off, .obj. Errors: no_input when a file cannot be opened; bad_data with
-/// the line, for what is damaged, not plane, or has elements other than triangles (points and edges aside).
-/// Every index in the result is valid.
+/// .poly for the edges where there is one), .su2, .off, .obj. Errors: no_input when a file cannot be opened; bad_data
+/// with the line, for what is damaged, not plane, or has elements other than triangles (points and edges aside). Every
+/// index in the result is valid.
 Result<MeshFile> readMesh(const std::string& path);
 
 /// The readers behind it, from text; hostile input gives an error, never a crash. Errors name no file.
