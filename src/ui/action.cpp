@@ -77,6 +77,8 @@ std::string_view nameOf(Menu menu) {
       return "Run";
     case Menu::debug:
       return "Break";
+    case Menu::compare:
+      return "Compare";
     case Menu::view:
       return "View";
     case Menu::help:
@@ -108,7 +110,7 @@ std::string keysOf(const ActionInfo& info) {
 
 std::string keysAsMarkdown() {
   std::string text = "# Keys\n\nPrinted from the program's own table; F1 shows the same in the window.\n";
-  for (const Menu menu : {Menu::file, Menu::edit, Menu::run, Menu::debug, Menu::view, Menu::help}) {
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::run, Menu::debug, Menu::compare, Menu::view, Menu::help}) {
     text += fmt::format("\n## {}\n\n| key | what it does |\n|---|---|\n", nameOf(menu));
     for (const ActionInfo& info : actions())
       if (info.menu == menu && info.chords[0].key != 0)

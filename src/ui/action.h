@@ -53,6 +53,10 @@ enum class Action : std::uint8_t {
   why,
   breakpoints_panel,
   plots_panel,
+  // Compare
+  pin_run,
+  first_difference,
+  compare_panel,
   // View
   fit,
   zoom_in,
@@ -84,7 +88,7 @@ enum class Action : std::uint8_t {
 };
 inline constexpr int kActionCount = static_cast<int>(Action::about) + 1;
 
-enum class Menu : std::uint8_t { file, edit, run, debug, view, help };
+enum class Menu : std::uint8_t { file, edit, run, debug, compare, view, help };
 
 /// A key with its modifiers, as GLFW numbers them; key 0: none.
 struct Chord {

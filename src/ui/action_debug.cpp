@@ -1,6 +1,7 @@
 // Which actions of the debugger can be done now, and why the others cannot.
 #include <algorithm>
 
+#include "ui/pinned_run.h"
 #include "ui/view.h"
 
 namespace triscope {
@@ -23,7 +24,7 @@ bool anyStop(const std::vector<Breakpoint>& list) {
 
 std::string whyNotDebug(Action action, const View& view) {
   const bool aboutRun = action >= Action::continue_forward && action <= Action::why;
-  if (!aboutRun) return {};
+  if (!aboutRun && action != Action::pin_run && action != Action::first_difference) return {};
   if (view.now() == nullptr) return "There is no mesh yet.";
   if (view.session.stale()) return "A new mesh is being made; wait, or press Esc to keep the old one.";
   const MeshState& state = view.now()->state;
@@ -42,6 +43,10 @@ std::string whyNotDebug(Action action, const View& view) {
       return anyMark(view, false) ? "" : "There is no mark before this decision.";
     case Action::next_mark:
       return anyMark(view, true) ? "" : "There is no mark after this decision.";
+    case Action::first_difference:
+      if (view.pinned == nullptr) return "No run is pinned as A (A).";
+      if (view.pinned->session().busy()) return "Run A is being made.";
+      return view.pinned->firstDifference() ? "" : "Both runs tell the same.";
     case Action::why:
       return selected ? "" : "Select a triangle, a vertex or a cell first.";
     default:

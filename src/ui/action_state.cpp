@@ -131,6 +131,10 @@ std::optional<bool> isOn(Action action, const UiState& ui) {
       return ui.debug.bottom == "Breakpoints";
     case Action::plots_panel:
       return ui.debug.bottom == "Plots";
+    case Action::pin_run:
+      return ui.pinned;
+    case Action::compare_panel:
+      return ui.debug.bottom == "Compare";
     case Action::help:
       return ui.dialog == Dialog::help;
     default:

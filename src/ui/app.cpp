@@ -84,8 +84,9 @@ void App::performPressed() {
 void App::onDrop(const std::string& path) { apply(command::OpenFile{path}); }
 
 bool App::poll() {
-  const bool news = session_.poll();
+  bool news = session_.poll();
   if (news) followRun();
+  if (pinned_ && pinned_->poll()) news = true;
   if (news) followInsertion();
   const bool saved = save_.ready();
   followDocument();
@@ -161,7 +162,8 @@ View App::view() {
   return {session_,        ui_,
           scene_,          fonts_,
           answers_,        renderer_ ? renderer_->texture() : 0,
-          legendOnCanvas_, stateFile_.wanted() ? &widgets_ : nullptr};
+          legendOnCanvas_, stateFile_.wanted() ? &widgets_ : nullptr,
+          pinned_.get()};
 }
 
 void App::frame() {
@@ -186,6 +188,7 @@ void App::frame() {
   windowSize_ = size;
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
   legendOnCanvas_ = layout.legend.size.y <= 0.0f;
+  followPinned();
   drawPicture(layout.canvas);
   updateAnswers();
   drawRegions(layout, view(), orders);
@@ -206,8 +209,9 @@ void App::finishFrame(double milliseconds) {
 }
 
 void App::drawPicture(const Region& region) {
-  const double width = std::max(1.0, static_cast<double>(region.size.x));
-  const double height = std::max(1.0, static_cast<double>(region.size.y));
+  const Panes panes = panesOf(region, pinned_ != nullptr);
+  const double width = std::max(1.0, static_cast<double>(panes.live.size.x));
+  const double height = std::max(1.0, static_cast<double>(panes.live.size.y));
   if (ui_.camera.width != width || ui_.camera.height != height) ui_.camera = resized(ui_.camera, width, height);
   if (const SnapshotPtr& now = session_.current()) {
     ViewOptions options = ui_.options;
@@ -225,8 +229,14 @@ void App::drawPicture(const Region& region) {
     scene_.theme = themeOf(ui_.look.theme);
   }
   renderer_->draw(scene_, ui_.camera, ui_.scale());
+  if (pinned_) {
+    ViewOptions options = ui_.options;
+    options.theme = ui_.look.theme;
+    pinned_->draw(options, ui_.camera, ui_.scale());
+  }
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const Point pixel{static_cast<double>(mouse.x - region.at.x), static_cast<double>(mouse.y - region.at.y)};
+  const ImVec2 corner = pinned_ && mouse.x < panes.live.at.x ? panes.pinned.at : panes.live.at;
+  const Point pixel{static_cast<double>(mouse.x - corner.x), static_cast<double>(mouse.y - corner.y)};
   const bool over = pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < width && pixel.y < height;
   ui_.cursor = over && session_.current() ? std::optional(toWorld(ui_.camera, pixel)) : std::nullopt;
 }

@@ -14,6 +14,7 @@
 #include "ui/dialogs.h"
 #include "ui/layout.h"
 #include "ui/panels.h"
+#include "ui/pinned_run.h"
 #include "ui/state_file.h"
 #include "ui/view.h"
 #include "ui/window.h"
@@ -31,7 +32,10 @@ class App {
   /// Needs a current OpenGL context and Dear ImGui. Returns what went wrong, empty when ready.
   std::string start(double monitorScale);
   /// Frees everything that OpenGL holds; the last call before the context goes.
-  void releaseGl() { renderer_.reset(); }
+  void releaseGl() {
+    pinned_.reset();
+    renderer_.reset();
+  }
   void setMonitorScale(double scale) { ui_.monitorScale = scale; }
 
   /// False while a dialog is on its way to the screen: what is typed then is meant for it.
@@ -51,7 +55,7 @@ class App {
 
   [[nodiscard]] bool closing() const { return closing_; }
   /// True while the picture changes by itself.
-  [[nodiscard]] bool animating() const { return session_.busy(); }
+  [[nodiscard]] bool animating() const { return session_.busy() || (pinned_ && pinned_->session().busy()); }
   /// True once a mesh is complete and nothing is under way.
   [[nodiscard]] bool settled() const { return session_.current() != nullptr && !session_.busy(); }
   [[nodiscard]] std::string title() const;
@@ -116,6 +120,9 @@ class App {
   void toggleBookmark();
   void goToMark(bool after);
   void addBreakpoint();
+  void togglePinned();
+  void unpin();
+  void followPinned();
   void follow(Ref ref);
   void keepInRange();
   void updateAnswers();
@@ -158,6 +165,7 @@ class App {
   Fonts fonts_;
   Scene scene_;
   std::unique_ptr<GlRenderer> renderer_;  // while there is a context
+  std::unique_ptr<PinnedRun> pinned_;     // run A
   OpenDialog openDialog_;
   ExportDialog exportDialog_;
   SaveDialog saveDialog_;

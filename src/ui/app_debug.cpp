@@ -46,6 +46,12 @@ void App::performDebug(Action action) {
       return show("Breakpoints");
     case Action::plots_panel:
       return show("Plots");
+    case Action::pin_run:
+      return togglePinned();
+    case Action::first_difference:
+      return apply(command::SeekEvent{*pinned_->firstDifference()});
+    case Action::compare_panel:
+      return show("Compare");
     default:
       return;
   }

@@ -219,7 +219,7 @@ void App::perform(Action action) {
     default:
       break;
   }
-  if (infoOf(action).menu == Menu::debug)
+  if (infoOf(action).menu == Menu::debug || infoOf(action).menu == Menu::compare)
     performDebug(action);
   else if (isOn(action, ui_))
     toggle(action);

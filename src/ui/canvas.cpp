@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/density/quadtree.h"
 #include "render/number.h"
 #include "render/picture.h"
 #include "ui/density_handles.h"
 #include "ui/imgui_canvas.h"
+#include "ui/layout.h"
 #include "ui/panels.h"
+#include "ui/pinned_run.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -108,13 +111,14 @@ void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
   ImGui::EndPopup();
 }
 
-void mouse(const View& view, Orders& orders, ImVec2 corner) {
+/// `edits`: density constraints can be placed and moved here.
+void mouse(const View& view, Orders& orders, ImVec2 corner, bool edits) {
   const Point at = mouseOn(corner);
   if (ImGui::IsItemHovered()) zoomByWheel(view, orders, at);
   const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
   const bool held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const bool box = ImGui::GetIO().KeyShift;
-  const bool taken = densityMouse(view, orders, corner);
+  const bool taken = edits && densityMouse(view, orders, corner);
   if (taken) {
     // A density constraint is placed or moved.
   } else if ((held || released) && draggedFar(view)) {
@@ -167,30 +171,61 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   ImGui::PopStyleVar();
 }
 
+/// Where the mouse is in the other picture.
+void otherCursor(const View& view, ImVec2 corner) {
+  if (!view.ui.cursor || ImGui::IsItemHovered()) return;
+  const Point at = toPixel(view.ui.camera, *view.ui.cursor);
+  const ImVec2 p{corner.x + static_cast<float>(at.x), corner.y + static_cast<float>(at.y)};
+  const float reach = view.px(8);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (const auto& [color, width] : {std::pair{view.theme().background, 4.0}, std::pair{view.theme().text, 1.5}}) {
+    list.AddLine({p.x - reach, p.y}, {p.x + reach, p.y}, toImU32(color), view.px(width));
+    list.AddLine({p.x, p.y - reach}, {p.x, p.y + reach}, toImU32(color), view.px(width));
+  }
+}
+
+/// The picture of the run in `shown`. The mouse is about the live run, whichever picture it is on: ids are its own.
+void pane(const View& shown, const View& live, Orders& orders, const Region& where, const char* name) {
+  const bool isLive = &shown == &live;
+  const ImVec2 corner = where.at;
+  const ImVec2 end{corner.x + where.size.x, corner.y + where.size.y};
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::PushID(name);
+  if (shown.canvasTexture != 0) {
+    // Texture rows run upwards.
+    const auto texture = static_cast<std::uintptr_t>(shown.canvasTexture);
+    const auto id = reinterpret_cast<ImTextureID>(texture);  // NOLINT(performance-no-int-to-ptr): as ImGui wants it
+    list.AddImage(id, corner, end, {0, 1}, {1, 0});
+  }
+  ImGui::InvisibleButton("canvas", where.size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  note(live, name);
+  list.PushClipRect(corner, end, true);
+  mouse(live, orders, corner, isLive);
+  labels(shown, corner);
+  if (isLive) drawDensityHandles(live, corner);
+  if (live.pinned != nullptr) otherCursor(live, corner);
+  if (shown.legendOnCanvas) overlayLegend(shown, corner, where.size);
+  if (live.pinned != nullptr) drawPaneHeading(live, !isLive, corner, where.size);
+  list.PopClipRect();
+  contextMenu(live, orders, corner);
+  ImGui::PopID();
+}
+
 }  // namespace
 
 void drawCanvas(const View& view, Orders& orders) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::GetContentRegionAvail();
-  if (size.x < 1.0f || size.y < 1.0f) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  if (view.canvasTexture != 0) {
-    // Texture rows run upwards.
-    const auto name = static_cast<std::uintptr_t>(view.canvasTexture);
-    const auto id = reinterpret_cast<ImTextureID>(name);  // NOLINT(performance-no-int-to-ptr): as ImGui wants it
-    list.AddImage(id, corner, {corner.x + size.x, corner.y + size.y}, {0, 1}, {1, 0});
+  const Region whole{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
+  if (whole.size.x < 1.0f || whole.size.y < 1.0f) return;
+  const Panes panes = panesOf(whole, view.pinned != nullptr);
+  if (view.pinned != nullptr) {
+    const PinnedRun& run = *view.pinned;
+    const View a{run.session(), view.ui, run.scene(), view.fonts, view.debug, run.texture(), false, view.widgets};
+    pane(a, view, orders, panes.pinned, "canvas.A");
   }
-  ImGui::InvisibleButton("canvas", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-  note(view, "canvas");
-  list.PushClipRect(corner, {corner.x + size.x, corner.y + size.y}, true);
-  mouse(view, orders, corner);
-  labels(view, corner);
-  drawDensityHandles(view, corner);
-  if (view.legendOnCanvas) overlayLegend(view, corner, size);
-  list.PopClipRect();
-  contextMenu(view, orders, corner);
-  progress(view, orders, corner, size);
-  drawKeptOffer(view, orders, corner, size);
+  pane(view, view, orders, panes.live, "canvas");
+  progress(view, orders, panes.live.at, panes.live.size);
+  drawKeptOffer(view, orders, whole.at, whole.size);
 }
 
 }  // namespace triscope

@@ -110,6 +110,14 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   };
 }
 
+Panes panesOf(const Region& canvas, bool comparing) {
+  if (!comparing) return {{}, canvas};
+  constexpr float kBetween = 2.0f;
+  const float width = std::max(1.0f, std::floor(0.5f * (canvas.size.x - kBetween)));
+  const float right = canvas.at.x + canvas.size.x - width;
+  return {{canvas.at, {width, canvas.size.y}}, {{right, canvas.at.y}, {width, canvas.size.y}}};
+}
+
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos(region.at);
   ImGui::SetNextWindowSize({std::max(1.0f, region.size.x), std::max(1.0f, region.size.y)});

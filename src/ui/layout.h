@@ -32,6 +32,13 @@ struct Layout {
 /// for. The caption gets more lines where it is narrow. `legend` is the size it needs, 0 when hidden.
 Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const UiState& ui);
 
+/// The canvas as one picture, or as two of the same size: run A at the left, the live run at the right.
+struct Panes {
+  Region pinned;
+  Region live;
+};
+Panes panesOf(const Region& canvas, bool comparing);
+
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags = 0);
 

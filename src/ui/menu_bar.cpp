@@ -19,6 +19,7 @@ bool endsGroup(Action action) {
     case Action::first_violation:
     case Action::next_mark:
     case Action::why:
+    case Action::first_difference:
     case Action::zoom_out:
     case Action::worst_edge:
     case Action::next_fill:
@@ -41,7 +42,7 @@ void item(const View& view, Orders& orders, const ActionInfo& info) {
 }  // namespace
 
 void drawMenuBar(const View& view, Orders& orders) {
-  for (const Menu menu : {Menu::file, Menu::edit, Menu::run, Menu::debug, Menu::view, Menu::help}) {
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::run, Menu::debug, Menu::compare, Menu::view, Menu::help}) {
     const std::string title(nameOf(menu));
     const bool open = ImGui::BeginMenu(title.c_str());
     note(view, "menu." + title);

@@ -152,14 +152,11 @@ void drawParams(const View& view, Orders& orders) {
                             : view.session.settings().minEdge > 0 ? "as set here"
                                                                   : "as the domain says"));
   }
-  bool refineHeading = false;
-  heading(view, "Density and insertion");
-  for (const SettingInfo& info : settingTable()) {
-    if (!refineHeading && info.firstStage >= Stage::refine) {
-      refineHeading = true;
-      heading(view, "Step 6: local refinements");
-    }
-    row(view, orders, info);
+  // First what runs again in an instant, and is tuned most.
+  for (const bool refinement : {true, false}) {
+    heading(view, refinement ? "Step 6: local refinements" : "Density and insertion");
+    for (const SettingInfo& info : settingTable())
+      if ((info.firstStage >= Stage::refine) == refinement) row(view, orders, info);
   }
   ImGui::Dummy({0, view.px(4)});
   const Settings standard;

@@ -182,14 +182,26 @@ void label(const View& view) {
                                            : "Decisions made up to here, and known of the run so far.");
 }
 
-float buttonWidth(const char* name) { return ImGui::CalcTextSize(name).x + 2.0f * ImGui::GetStyle().FramePadding.x; }
+struct Toggle {
+  Action action;
+  const char* name;  // of the panel
+};
+constexpr std::array<Toggle, 3> kToggles{
+    {{Action::plots_panel, "Plots"}, {Action::breakpoints_panel, "Breakpoints"}, {Action::compare_panel, "Compare"}}};
+constexpr double kBetweenToggles = 6.0;
+
+float togglesWidth(const View& view) {
+  float width = static_cast<float>(kToggles.size() - 1) * view.px(kBetweenToggles);
+  for (const Toggle& toggle : kToggles)
+    width += ImGui::CalcTextSize(toggle.name).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+  return width;
+}
 
 /// Buttons that open and close the panels above the strip.
 void toggles(const View& view, Orders& orders) {
   bool first = true;
-  for (const auto& [action, name] :
-       {std::pair{Action::plots_panel, "Plots"}, std::pair{Action::breakpoints_panel, "Breakpoints"}}) {
-    if (!first) ImGui::SameLine(0.0f, view.px(6));
+  for (const auto& [action, name] : kToggles) {
+    if (!first) ImGui::SameLine(0.0f, view.px(kBetweenToggles));
     first = false;
     const bool open = view.ui.debug.bottom == name;
     if (open) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_TabActive));
@@ -206,7 +218,7 @@ void drawTimeline(const View& view, Orders& orders) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = view.px(12);
-  const float right = buttonWidth("Plots") + buttonWidth("Breakpoints") + view.px(6);
+  const float right = togglesWidth(view);
   const float left = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x);
   const float width = std::max(view.px(60), room.x - left - right - 2.0f * gap);
   ImGui::SetCursorScreenPos({corner.x, corner.y + std::max(0.0f, 0.5f * (room.y - ImGui::GetTextLineHeight()))});

@@ -5,7 +5,7 @@
 namespace triscope {
 
 std::span<const PanelInfo> panels() {
-  static constexpr std::array<PanelInfo, 9> kPanels{{
+  static constexpr std::array<PanelInfo, 10> kPanels{{
       {"Stages", Side::left, drawStages},
       {"Layers", Side::left, drawLayers},
       {"Params", Side::left, drawParams},
@@ -15,6 +15,7 @@ std::span<const PanelInfo> panels() {
       {"Notes", Side::right, drawNotes},
       {"Breakpoints", Side::bottom, drawBreakpoints},
       {"Plots", Side::bottom, drawPlots},
+      {"Compare", Side::bottom, drawCompare},
   }};
   return kPanels;
 }

@@ -26,6 +26,9 @@ void drawHistory(const View& view, Orders& orders);
 void drawNotes(const View& view, Orders& orders);
 void drawBreakpoints(const View& view, Orders& orders);
 void drawPlots(const View& view, Orders& orders);
+void drawCompare(const View& view, Orders& orders);
+/// "0.05", "7.5°", "off", "auto".
+std::string settingText(const SettingInfo& info, double value);
 void drawMeshFigures(const View& view, Orders& orders);
 
 // Fixed regions of the window; each fills the current Dear ImGui window.
@@ -34,6 +37,8 @@ void drawMenuBar(const View& view, Orders& orders);
 float toolbarHeight(const View& view, float width);
 void drawToolbar(const View& view, Orders& orders);
 void drawCanvas(const View& view, Orders& orders);
+/// Over the upper left corner of one of two pictures: which run it is, and what sets it apart.
+void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size);
 void drawCaption(const View& view, Orders& orders);
 /// The sentence that the caption shows.
 std::string captionNow(const View& view);

@@ -7,6 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
+#include "ui/pinned_run.h"
 
 namespace triscope {
 namespace {
@@ -218,6 +219,31 @@ std::string insertion(const View& view) {
       .str();
 }
 
+/// Runs A and B side by side.
+std::string comparison(const View& view) {
+  if (view.pinned == nullptr) return Object().flag("pinned", false).str();
+  const Session& a = view.pinned->session();
+  const std::optional<std::size_t>& first = view.pinned->firstDifference();
+  std::vector<std::string> keys;
+  for (const SettingDifference& d : differences(a.settings(), view.session.settings()))
+    keys.push_back(jsonText(d.setting->key));
+  Object out;
+  out.flag("pinned", true)
+      .flag("busy", a.busy() || a.current() == nullptr)
+      .number("first", first ? static_cast<double>(*first) : -1.0)
+      .add("differing", list(keys))
+      .add("settings", settings(a.settings()));
+  if (const Snapshot* const now = a.current().get())
+    out.text("stage", infoOf(now->state.stage).key)
+        .number("round", now->state.round)
+        .number("tick", static_cast<double>(now->state.tick))
+        .number("ticks", static_cast<double>(a.record().ticks))
+        .number("events", static_cast<double>(now->events))
+        .add("hash", fmt::format("\"{:016x}\"", hashOf(now->state)))
+        .add("figures", figures(now->quality));
+  return out.str();
+}
+
 std::string color(Color c) { return fmt::format("[{}, {}, {}]", c.r, c.g, c.b); }
 
 }  // namespace
@@ -259,6 +285,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
       .add("layers", layers(ui))
       .add("selection", selection(view))
       .add("debug", debugger(view))
+      .add("compare", comparison(view))
       .add("document", document(ui.document, ui.debug))
       .add("density", density(view))
       .add("insertion", insertion(view))

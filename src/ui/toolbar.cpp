@@ -92,6 +92,23 @@ float lookWidth(const View& view) {
   return width;
 }
 
+constexpr const char* kBeside = "A | B";
+
+void compare(const View& view, Orders& orders) {
+  const ActionInfo& info = infoOf(Action::pin_run);
+  const std::string reason = whyNot(info.id, view);
+  const bool on = view.ui.pinned;
+  ImGui::BeginDisabled(!reason.empty());
+  if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_TabActive));
+  if (ImGui::Button(kBeside)) orders.emplace_back(info.id);
+  if (on) ImGui::PopStyleColor();
+  ImGui::EndDisabled();
+  note(view, info.key, reason.empty());
+  tip(view, std::string(info.help) + "\nKeys: " + keysOf(info) + (reason.empty() ? "" : "\nNot now: " + reason));
+}
+
+float compareWidth() { return ImGui::CalcTextSize(kBeside).x + 2 * ImGui::GetStyle().FramePadding.x; }
+
 void picture(const View& view, Orders& orders) { actionButton(view, orders, Action::save_picture, Icon::camera); }
 
 /// Buttons that stay together; where the window is too narrow for all groups they go on in another row.
@@ -99,10 +116,11 @@ struct Group {
   float width;
   void (*draw)(const View&, Orders&);
 };
-std::array<Group, 5> groupsOf(const View& view) {
+std::array<Group, 6> groupsOf(const View& view) {
   return {{{iconsWidth(view, 2), file},
            {iconsWidth(view, 9), transport},
            {view.px(kSpeedWidth), speed},
+           {compareWidth(), compare},
            {lookWidth(view), look},
            {iconsWidth(view, 1), picture}}};
 }

@@ -22,6 +22,8 @@
 
 namespace triscope {
 
+class PinnedRun;
+
 enum class Dialog : std::uint8_t { none, open, save_as, export_to, error, help, about };
 
 /// Where a widget was drawn last, for tests that press real buttons.
@@ -91,6 +93,7 @@ struct UiState {
   DensityUi density;
   InsertionUi insertion;
   DebugUi debug;
+  bool pinned = false;  // a run A is shown beside this one
   bool exporting = false;
   double frameMs = 0.0;
   std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
@@ -107,6 +110,7 @@ struct View {
   unsigned canvasTexture = 0;
   bool legendOnCanvas = false;                 // it has no place of its own
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
+  const PinnedRun* pinned = nullptr;           // run A; null when none is pinned
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
   [[nodiscard]] const Theme& theme() const { return scene.theme; }
   /// Whether what is shown is the state of the insertion's phase: on the way there, it is not.

@@ -1,0 +1,122 @@
+#include "core/debug/compare.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <tuple>
+
+namespace triscope {
+namespace {
+
+/// Of two numbers, so that what is not a number equals itself.
+bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+bool sameBits(Point a, Point b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
+
+/// Order in which a run comes to its stages: steps 2 to 5 and their repair once a round.
+auto placeInRun(const StageEntry& entry) {
+  const bool inRound = entry.stage >= Stage::step2 && entry.stage <= Stage::repair;
+  const int part = entry.stage < Stage::step2 ? 0 : inRound ? 1 : 2;
+  return std::tuple(part, inRound ? entry.round : std::uint16_t{0}, entry.stage);
+}
+
+std::uint64_t endOf(const RunRecord& run, const StageEntry* entry) {
+  const bool last = entry + 1 == run.stages.data() + run.stages.size();
+  return last ? run.ticks : entry[1].tick;
+}
+
+/// The entry that a place lies in: where a stage that made no decision ends another begins at the same tick.
+const StageEntry* entryOf(const RunRecord& run, const RunPlace& place) {
+  const StageEntry* const last = entryAt(run, place.tick);
+  for (const StageEntry* entry = last; entry != nullptr && entry >= run.stages.data(); --entry) {
+    if (endOf(run, entry) < place.tick) break;
+    if (entry->stage == place.stage) return entry;
+  }
+  return last;
+}
+
+}  // namespace
+
+bool sameContent(const Event& a, const Event& b) {
+  return a.kind == b.kind && a.stage == b.stage && a.rule == b.rule && a.refusal == b.refusal && a.round == b.round &&
+         a.removedCount == b.removedCount && a.subject == b.subject && a.other == b.other && a.vertex == b.vertex &&
+         a.created == b.created && a.createdCount == b.createdCount && sameBits(a.measured, b.measured) &&
+         sameBits(a.limit, b.limit) && sameBits(a.at, b.at) && sameBits(a.from, b.from);
+}
+
+std::optional<std::size_t> firstDifference(std::span<const Event> a, std::span<const Event> b) {
+  const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), sameContent);
+  if (x == a.end() && y == b.end()) return std::nullopt;
+  return static_cast<std::size_t>(x - a.begin());
+}
+
+std::vector<SettingDifference> differences(const Settings& a, const Settings& b) {
+  std::vector<SettingDifference> list;
+  for (const SettingInfo& info : settingTable()) {
+    const double x = settingValue(a, info);
+    const double y = settingValue(b, info);
+    if (x != y) list.push_back({&info, x, y});
+  }
+  return list;
+}
+
+std::vector<FigurePair> figurePairs(const Quality& a, const Quality& b) {
+  enum class Wish : std::uint8_t { none, small, large };
+  struct Figure {
+    std::string_view name;
+    std::string_view unit;
+    Wish wish;
+    double (*value)(const Quality&);
+  };
+  constexpr std::array<Figure, 9> kFigures{{
+      {"vertices", "", Wish::none, [](const Quality& q) { return static_cast<double>(q.vertices); }},
+      {"triangles", "", Wish::none, [](const Quality& q) { return static_cast<double>(q.triangles); }},
+      {"obtuse triangles", "", Wish::small, [](const Quality& q) { return static_cast<double>(q.obtuse); }},
+      {"worst aspect ratio", "", Wish::small, [](const Quality& q) { return q.aspectMax; }},
+      {"mean aspect ratio", "", Wish::small, [](const Quality& q) { return q.aspectMean; }},
+      {"worst area ratio", "", Wish::small, [](const Quality& q) { return q.areaRatioMax; }},
+      {"worst edge ratio", "", Wish::small, [](const Quality& q) { return q.edgeRatioMax; }},
+      {"smallest angle", "deg", Wish::large, [](const Quality& q) { return q.minAngle; }},
+      {"largest angle", "deg", Wish::small, [](const Quality& q) { return q.maxAngle; }},
+  }};
+  std::vector<FigurePair> list;
+  for (const Figure& figure : kFigures) {
+    const double x = figure.value(a);
+    const double y = figure.value(b);
+    const bool judged = figure.wish != Wish::none && x != y;
+    list.push_back({figure.name, figure.unit, x, y,
+                    !judged                                   ? ' '
+                    : (x < y) == (figure.wish == Wish::small) ? 'a'
+                                                              : 'b'});
+  }
+  return list;
+}
+
+Counterpart counterpart(const RunPlace& place, const RunRecord& from, const RunRecord& to,
+                        const std::optional<std::size_t>& first) {
+  const StageEntry* const here = entryOf(from, place);
+  if (here == nullptr || to.stages.empty()) return {std::min(place.tick, to.ticks), {}};
+  const bool begins = place.tick == here->tick && place.stage == here->stage && here == firstEntry(from, here->stage);
+  const std::optional<Stage> stage = begins ? std::optional(here->stage) : std::nullopt;
+  if (place.stage == Stage::finished) return {to.ticks, Stage::finished};
+  if (!first || place.events <= *first + 1) return {std::min(place.tick, to.ticks), stage};
+  const auto after =
+      std::upper_bound(to.stages.begin(), to.stages.end(), placeInRun(*here),
+                       [](const auto& wanted, const StageEntry& entry) { return wanted < placeInRun(entry); });
+  if (after == to.stages.begin()) return {0, {}};
+  const StageEntry* const there = &*(after - 1);
+  const std::uint64_t end = endOf(to, there);
+  if (placeInRun(*there) != placeInRun(*here)) return {end, {}};
+  // As far through the stage; what both runs did alike at its beginning counts one for one.
+  const bool parts = *first > here->event && *first > there->event;
+  const std::uint64_t length = endOf(from, here) - here->tick;
+  const std::uint64_t alike = parts ? std::min<std::uint64_t>(*first - here->event, length) : 0;
+  const std::uint64_t done = place.tick - here->tick;
+  const bool open = !from.complete && here == &from.stages.back();  // how long it will be is not known
+  if (done <= alike || open) return {std::min(there->tick + done, end), stage};
+  const std::uint64_t rest = end - std::min(end, there->tick + alike);
+  const double part = static_cast<double>(done - alike) / static_cast<double>(length - alike);
+  return {end - rest + static_cast<std::uint64_t>(part * static_cast<double>(rest) + 0.5), stage};
+}
+
+}  // namespace triscope
