@@ -18,7 +18,7 @@ struct Settings {
   double gapFraction = 0.3;     // edge length across a gap, as a fraction of its width
   int maxRank = 64;             // coarsest density rank allowed
   int maxRounds = 60;           // budget of rounds of steps 2-5
-  double step4AreaRatio = 2.0;  // step 4 leaves pairs below this area ratio alone; 0: none, as in the paper
+  double step4AreaRatio = 1.8;  // step 4 leaves pairs below this area ratio alone; 0: none, as in the paper
   double omega = 0.15;          // ω, Laplacian filter
   double theta = 7.5;           // θ, degrees
   bool laplacian = true;        // step 6, part 1

@@ -57,7 +57,7 @@ inline const char* const kRound = R"({"name": "round", "min_edge_length": 0.2,
             {"kind": "spline", "points": [[-2, -1], [0, -2], [2, -1], [0, -0.5]], "corners": [0, 2]}]})";
 
 /// A notch, holes close to it and a bent chain: small, but every rule and most refusals are met in it.
-inline const char* const kNotched = R"({"name": "notched", "min_edge_length": 0.1,
+inline const char* const kNotched = R"({"name": "notched", "min_edge_length": 0.07,
   "outer": [[0, 0], [10, 0], [10, 6], [6, 6], [5.5, 1.2], [5, 6], [0, 6]],
   "holes": [[[1, 1], [3, 1], [3, 3], [1.05, 2]], [[7, 2], [8, 2], [7.5, 2.9]]],
   "segments": [[[3.5, 4], [4.4, 2], [4.6, 1]]]})";

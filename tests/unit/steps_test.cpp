@@ -166,7 +166,9 @@ INSTANTIATE_TEST_SUITE_P(Domains, Rules, testing::Values(support::kNotched, supp
                          });
 
 TEST_P(Rules, EveryDecisionIsWhatItsEventSays) {
-  MeshState state = support::start(support::domainFrom(GetParam()));
+  Settings settings;
+  settings.step4AreaRatio = 0.0;  // the paper's step 4, which has more to refuse
+  MeshState state = support::start(support::domainFrom(GetParam()), settings);
   support::runPast(state, Stage::front2);
   ASSERT_EQ(state.stage, Stage::step1);
   std::map<Rule, int> inserted;

@@ -118,8 +118,9 @@ void gapsOnSide(Search& search, const BoundaryTree& boundary, std::uint32_t inde
 void gapAhead(Search& search, const BoundaryTree& boundary, std::uint32_t index, Point in, Point out, Point at) {
   const Nearest wall = nearestIn(boundary, search.domain, {at, perpendicular(in), perpendicular(out)});
   if (wall.distance >= 0.25 * search.extent) return;
-  const double wish =
-      std::max(search.settings.gapFraction * wall.distance, shortestPiece(search, search.domain.curves[index]));
+  const std::vector<Curve>& curves = search.domain.curves;
+  const double wish = std::max({search.settings.gapFraction * wall.distance, shortestPiece(search, curves[index]),
+                                shortestPiece(search, curves[boundary.pieces[wall.piece].curve])});
   for (const Point p : {at, midpoint(at, wall.at), wall.at}) search.ask(p, wish, Rule::gap, index);
 }
 
