@@ -104,9 +104,9 @@ constexpr float markSize(float size, double spacingInPixels) {
 
 /// Drawn semibold.
 struct Label {
-  Point at;         // world
-  float dx = 0.0f;  // pixels to the right of it
-  float dy = 0.0f;  // pixels below it
+  Point at;             // world
+  float dx = 0.0f;      // pixels to the right of it
+  float dy = 0.0f;      // pixels below it
   double around = 0.0;  // world: at least so far from it in both directions, where the picture is magnified
   std::string text;
   Color color;

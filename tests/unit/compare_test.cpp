@@ -130,7 +130,8 @@ TEST(Compare, TheSamePlaceStandsForAPlaceBeforeTheFirstDifference) {
   const std::optional<std::size_t> first = firstDifference(a.events(), b.events());
   const auto inA = [&](const RunPlace& place) { return counterpart(place, b.record(), a.record(), first); };
   const std::uint64_t refine = firstEntry(b.record(), Stage::refine)->tick;
-  for (const std::uint64_t tick : {std::uint64_t{0}, std::uint64_t{1}, refine / 2, refine - 1, refine}) EXPECT_EQ(inA(b.goTo(command::Seek{tick})).tick, tick);
+  for (const std::uint64_t tick : {std::uint64_t{0}, std::uint64_t{1}, refine / 2, refine - 1, refine})
+    EXPECT_EQ(inA(b.goTo(command::Seek{tick})).tick, tick);
   const Counterpart entry = inA(b.goTo(command::GoTo{Stage::step1}));
   EXPECT_EQ(entry.begins, Stage::step1);
   EXPECT_EQ(entry.tick, firstEntry(a.record(), Stage::step1)->tick);
