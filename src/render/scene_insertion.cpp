@@ -68,6 +68,7 @@ void addWalk(const SceneInput& in, Layer& layer) {
   for (const std::int32_t slot : insertion.walk)
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.selection, 1.4f, Dash::solid, false}));
   std::vector<Point> way;
+  way.reserve(insertion.walk.size() + 1);
   for (const std::int32_t slot : insertion.walk) way.push_back(centroid(mesh, slot));
   const Point first = way.front();
   way.push_back(insertion.at);

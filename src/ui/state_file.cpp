@@ -174,6 +174,7 @@ std::string debugger(const View& view) {
 
 std::string document(const DocumentUi& ui, const DebugUi& debug) {
   std::vector<std::string> names;
+  names.reserve(debug.bookmarks.size());
   for (const Bookmark& mark : debug.bookmarks) names.push_back(jsonText(mark.name));
   return Object()
       .text("path", ui.path)

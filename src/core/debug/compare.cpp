@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <tuple>
 
 namespace triscope {
 namespace {
 
 /// Of two numbers, so that what is not a number equals itself.
-bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
 bool sameBits(Point a, Point b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
 
@@ -116,7 +118,7 @@ Counterpart counterpart(const RunPlace& place, const RunRecord& from, const RunR
   if (done <= alike || open) return {std::min(there->tick + done, end), stage};
   const std::uint64_t rest = end - std::min(end, there->tick + alike);
   const double part = static_cast<double>(done - alike) / static_cast<double>(length - alike);
-  return {end - rest + static_cast<std::uint64_t>(part * static_cast<double>(rest) + 0.5), stage};
+  return {end - rest + static_cast<std::uint64_t>(std::llround(part * static_cast<double>(rest))), stage};
 }
 
 }  // namespace triscope
