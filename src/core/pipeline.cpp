@@ -66,7 +66,7 @@ Stage after(const MeshState& state) {
   if (state.stage == Stage::step5 && state.roundChanges > 0 && again) return Stage::step2;
   if (state.stage == Stage::repair) {
     if (state.cursor.changes > 0 && again) return Stage::step2;
-    return s.laplacian || s.reduceObtuse || s.sharedEdge ? Stage::refine : Stage::finished;
+    return refines(s) ? Stage::refine : Stage::finished;
   }
   return static_cast<Stage>(static_cast<int>(state.stage) + 1);
 }

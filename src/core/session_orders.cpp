@@ -8,21 +8,6 @@
 #include "core/session_worker.h"
 
 namespace triscope {
-namespace {
-
-bool refines(const Settings& s) { return s.laplacian || s.reduceObtuse || s.sharedEdge; }
-
-/// First stage that the difference between two settings can matter to; `finished` when they are the same.
-Stage firstAffected(const Settings& a, const Settings& b) {
-  Stage first = Stage::finished;
-  for (const SettingInfo& info : settingTable())
-    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
-  // Whether step 6 is entered at all is decided when the stage before it ends.
-  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
-}
-
-}  // namespace
-
 void SessionWorker::carryOut(const Command& order) {
   ++ordersDone_;
   error_.reset();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -97,6 +98,16 @@ const SettingInfo* findSetting(std::string_view key) {
   for (const SettingInfo& info : kTable)
     if (info.key == key) return &info;
   return nullptr;
+}
+
+bool refines(const Settings& settings) { return settings.laplacian || settings.reduceObtuse || settings.sharedEdge; }
+
+Stage firstAffected(const Settings& a, const Settings& b) {
+  Stage first = Stage::finished;
+  for (const SettingInfo& info : settingTable())
+    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
+  // Whether step 6 is entered at all is decided when the stage before it ends.
+  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
 }
 
 double settingValue(const Settings& settings, const SettingInfo& info) {

@@ -46,6 +46,10 @@ struct SettingInfo {
 
 std::span<const SettingInfo> settingTable();
 const SettingInfo* findSetting(std::string_view key);
+/// Whether step 6 has anything to do.
+bool refines(const Settings& settings);
+/// First stage that the difference between two settings can matter to; `finished` when they are the same.
+Stage firstAffected(const Settings& a, const Settings& b);
 double settingValue(const Settings& settings, const SettingInfo& info);
 /// Sets one value given as text ("0.15", "true", "off"). Errors name the key, the range and the default.
 Status setSetting(Settings& settings, std::string_view key, std::string_view value);

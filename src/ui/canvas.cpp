@@ -151,13 +151,7 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   const Progress& p = view.session.progress();
   if (!view.session.busy() || p.activity == Activity::playing || p.seconds < 0.25) return;
   const float width = std::min(view.px(420), size.x - view.px(24));
-  ImGui::SetNextWindowPos({corner.x + 0.5f * size.x, corner.y + view.px(16)}, ImGuiCond_Always, {0.5f, 0.0f});
-  ImGui::SetNextWindowSize({width, 0.0f});
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                      ImGuiWindowFlags_NoNav;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, view.px(8));
-  if (ImGui::Begin("##progress", nullptr, kFlags)) {
+  if (beginFloating(view, "##progress", {corner.x + 0.5f * size.x, corner.y + view.px(16)}, {0.5f, 0.0f}, width)) {
     std::string text = fmt::format("{}: {} triangles", infoOf(p.stage).name, grouped(p.triangles));
     if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(std::llround(p.estimated)));
     ImGui::TextUnformatted(text.c_str());
@@ -167,8 +161,7 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
     note(view, "cancel");
     tip(view, view.session.stale() ? "Keep the mesh and the parameters from before." : "Stop here.");
   }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  endFloating();
 }
 
 /// Where the mouse is in the other picture.

@@ -55,12 +55,9 @@ void update(Histogram& histogram, const Session& session, Measure measure) {
   const Mesh& mesh = now->state.mesh;
   std::vector<double> values;
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const Triangle& t = mesh.triangles[slot];
-    const bool helper = std::any_of(t.v.begin(), t.v.end(), [&mesh](std::int32_t v) {
-      return v >= 0 && mesh.kinds[static_cast<std::size_t>(v)] == VertexKind::helper;
-    });
-    if (!mesh.alive(static_cast<std::int32_t>(slot)) || helper) continue;
-    const double value = measuresOf(mesh, static_cast<std::int32_t>(slot))[static_cast<std::size_t>(measure)];
+    const auto at = static_cast<std::int32_t>(slot);
+    if (!mesh.alive(at) || touchesHelper(mesh, at)) continue;
+    const double value = measuresOf(mesh, at)[static_cast<std::size_t>(measure)];
     if (std::isfinite(value)) values.push_back(value);
   }
   if (values.empty()) return;

@@ -1,11 +1,8 @@
-#include <imgui.h>
-// After imgui.h, which it needs.
-#include <imgui_stdlib.h>
-
 #include <array>
 #include <filesystem>
 
 #include "ui/dialogs.h"
+#include "ui/path_field.h"
 #include "ui/widgets.h"
 
 namespace triscope {
@@ -47,28 +44,15 @@ void ExportDialog::draw(const View& view, Orders& orders) {
     ImGui::SameLine(view.px(110));
     ImGui::TextDisabled("%s", format.what);
   }
-  ImGui::Dummy({0, view.px(4)});
-  muted(view, "File");
-  ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue);
-  note(view, "export.path");
-  std::error_code failure;
-  if (std::filesystem::exists(path_, failure)) muted(view, "This file exists and will be replaced.");
+  const bool entered = pathField(view, "export", path_);
   const std::string reason =
       formatOf(path_) == nullptr ? "The name must end in one of the formats above." : whyNot(Action::export_mesh, view);
-  ImGui::BeginDisabled(!reason.empty());
-  const bool pressed = ImGui::Button("Export", {view.px(110), 0.0f});
-  ImGui::EndDisabled();
-  note(view, "export.ok", reason.empty());
-  tip(view, reason.empty() ? "Writes the mesh as it is at this moment." : reason);
+  const bool pressed =
+      writeOrClose(view, orders, "export", "Export", reason, "Writes the mesh as it is at this moment.");
   if ((pressed || entered) && reason.empty()) {
     orders.emplace_back(order::CloseDialog{});
     orders.emplace_back(order::ExportTo{path_});
   }
-  ImGui::SameLine();
-  if (ImGui::Button("Close", {view.px(110), 0.0f})) orders.emplace_back(order::CloseDialog{});
-  note(view, "export.close");
   ImGui::EndPopup();
 }
 

@@ -62,10 +62,7 @@ void inspectRequest(const View& view, Orders& orders) {
   const std::vector<DensityRequest>& density = view.session.domain()->density;
   const std::size_t index = *view.ui.density.request;
   DensityRequest request = density[index];
-  ImGui::PushFont(view.fonts.title);
-  ImGui::TextUnformatted(fmt::format("Density constraint {}", index + 1).c_str());
-  ImGui::PopFont();
-  note(view, "inspect.title");
+  title(view, fmt::format("Density constraint {}", index + 1), "inspect.title");
   const auto edit = [&](bool held) {
     std::vector<DensityRequest> list = density;
     list[index] = request;

@@ -12,13 +12,7 @@ void drawKeptOffer(const View& view, Orders& orders, ImVec2 corner, ImVec2 size)
   const DocumentUi& document = view.ui.document;
   if (!document.offering || document.kept.empty() || view.ui.dialog != Dialog::none) return;
   const float width = std::min(view.px(440), size.x - view.px(24));
-  ImGui::SetNextWindowPos({corner.x + 0.5f * size.x, corner.y + size.y - view.px(16)}, ImGuiCond_Always, {0.5f, 1.0f});
-  ImGui::SetNextWindowSize({width, 0.0f});
-  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
-                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
-                                      ImGuiWindowFlags_NoNav;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, view.px(8));
-  if (ImGui::Begin("##kept", nullptr, kFlags)) {
+  if (beginFloating(view, "##kept", {corner.x + 0.5f * size.x, corner.y + size.y - view.px(16)}, {0.5f, 1.0f}, width)) {
     const KeptWork& work = document.kept.front();
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(fmt::format("Work on {} from {} was not saved.", work.name, work.when).c_str());
@@ -36,8 +30,7 @@ void drawKeptOffer(const View& view, Orders& orders, ImVec2 corner, ImVec2 size)
     button("Not now", "kept.later", order::Kept::What::later,
            "Keeps it: File, Restore unsaved work brings it back, and the next start offers it again.");
   }
-  ImGui::End();
-  ImGui::PopStyleVar();
+  endFloating();
 }
 
 }  // namespace triscope

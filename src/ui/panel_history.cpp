@@ -4,6 +4,7 @@
 #include "render/number.h"
 #include "ui/linked_line.h"
 #include "ui/panels.h"
+#include "ui/subject.h"
 #include "ui/widgets.h"
 
 namespace triscope {
@@ -22,17 +23,7 @@ void goTo(const View& view, Orders& orders, const char* label, const char* name,
 
 void drawHistory(const View& view, Orders& orders) {
   const Answers& answers = view.debug.answers;
-  if (!answers.about) {
-    heading(view, "Nothing is selected");
-    muted(view, "Click a triangle or a vertex to follow what happened to it.");
-    return;
-  }
-  ImGui::PushFont(view.fonts.title);
-  std::string title = nameOf(*answers.about);
-  title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  ImGui::TextWrapped("%s", title.c_str());
-  ImGui::PopFont();
-  note(view, "history.title");
+  if (!drawSubject(view, "Click a triangle or a vertex to follow what happened to it.", "history.title")) return;
   goTo(view, orders, "Previous", "history.previous", answers.previous, "The last event about it before this one",
        "no earlier event is about it.");
   besideIfFits("Next");

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <span>
 
 #include "core/caption.h"
+#include "core/debug/element_events.h"
 #include "core/density/quadtree.h"
 #include "render/number.h"
 #include "render/star.h"
@@ -58,25 +58,13 @@ void linkTo(const View& view, Orders& orders, std::int32_t vertex) {
   ImGui::PopID();
 }
 
-/// The event that made a triangle or vertex, told in words.
-void birth(const View& view, const char* what, bool (*made)(const Event&, std::uint32_t), std::uint32_t id) {
-  const std::span<const Event> events = view.session.events();
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    if (!made(events[i], id)) continue;
-    heading(view, what);
-    muted(view, fmt::format("Event {}. {}", grouped(i + 1), captionOf(events[i])));
-    return;
-  }
-}
-
-bool madeTriangle(const Event& e, std::uint32_t id) {
-  const bool makesTriangles = e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split ||
-                              e.kind == EventKind::edge_flipped || e.kind == EventKind::vertex_removed;
-  return makesTriangles && e.createdCount > 0 && id >= e.created && id - e.created < e.createdCount;
-}
-
-bool madeVertex(const Event& e, std::uint32_t id) {
-  return (e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split) && e.vertex == id;
+/// The event that made the element, told in words.
+void birth(const View& view, Ref ref) {
+  const Events events = view.session.events();
+  const std::optional<std::size_t> born = birthOf(events, ref);
+  if (!born) return;
+  heading(view, "Why it is here");
+  muted(view, fmt::format("Event {}. {}", grouped(*born), captionOf(events[*born])));
 }
 
 void inspectTriangle(const View& view, Orders& orders, const MeshState& state, std::int32_t slot) {
@@ -108,9 +96,7 @@ void inspectTriangle(const View& view, Orders& orders, const MeshState& state, s
       continue;
     }
     const std::int32_t other = half / 3;
-    const Triangle& n = mesh.triangles[at(other)];
-    const double area = std::fabs(0.5 * cross(mesh.points[at(n.v[1])] - mesh.points[at(n.v[0])],
-                                              mesh.points[at(n.v[2])] - mesh.points[at(n.v[0])]));
+    const double area = std::fabs(0.5 * twiceArea(mesh, other));
     const double mine = std::fabs(q.area);
     const double ratio = area > mine ? area / mine : mine / area;
     ImGui::PushID(other);
@@ -120,7 +106,7 @@ void inspectTriangle(const View& view, Orders& orders, const MeshState& state, s
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
     ImGui::TextColored(toImVec4(ratio < Bounds::areaRatio ? view.theme().text : bad), "%s", value.c_str());
   }
-  birth(view, "Why it is here", madeTriangle, mesh.ids[at(slot)]);
+  birth(view, {Ref::Kind::triangle, mesh.ids[at(slot)]});
 }
 
 void inspectVertex(const View& view, Orders& orders, const MeshState& state, std::int32_t vertex) {
@@ -141,7 +127,7 @@ void inspectVertex(const View& view, Orders& orders, const MeshState& state, std
     if (link(view, fmt::format("triangle {}", mesh.ids[at(slot)]))) selectTriangle(orders, mesh, slot);
     ImGui::PopID();
   }
-  birth(view, "Why it is here", madeVertex, static_cast<std::uint32_t>(vertex));
+  birth(view, {Ref::Kind::vertex, static_cast<std::uint32_t>(vertex)});
 }
 
 void inspectEdge(const View& view, Orders& orders, const MeshState& state, const Selection& selection) {
@@ -212,10 +198,7 @@ void drawInspect(const View& view, Orders& orders) {
           "cell below.");
     return;
   }
-  ImGui::PushFont(view.fonts.title);
-  ImGui::TextUnformatted(titleOf(pick).c_str());
-  ImGui::PopFont();
-  note(view, "inspect.title");
+  title(view, titleOf(pick), "inspect.title");
   if (view.ui.selectedGone) {
     muted(view, "It is not part of the mesh at this moment.");
     return;

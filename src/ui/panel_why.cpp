@@ -3,6 +3,7 @@
 
 #include "ui/linked_line.h"
 #include "ui/panels.h"
+#include "ui/subject.h"
 #include "ui/widgets.h"
 
 namespace triscope {
@@ -20,17 +21,9 @@ void lines(const View& view, Orders& orders, const std::vector<Line>& all, const
 
 void drawWhy(const View& view, Orders& orders) {
   const Answers& answers = view.debug.answers;
-  if (!answers.about) {
-    heading(view, "Nothing is selected");
-    muted(view, "Click a triangle or a vertex to learn which rule made it, and with which values.");
+  if (!drawSubject(view, "Click a triangle or a vertex to learn which rule made it, and with which values.",
+                   "why.title"))
     return;
-  }
-  ImGui::PushFont(view.fonts.title);
-  std::string title = nameOf(*answers.about);
-  title[0] = static_cast<char>(title[0] - 'a' + 'A');
-  ImGui::TextWrapped("%s", title.c_str());
-  ImGui::PopFont();
-  note(view, "why.title");
   const bool there = answers.birth.has_value();
   ImGui::BeginDisabled(!there);
   if (ImGui::Button("Go to its birth")) orders.emplace_back(command::SeekEvent{answers.birth.value_or(0)});

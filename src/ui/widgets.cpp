@@ -107,6 +107,15 @@ void muted(const View& view, const std::string& text) {
   ImGui::PopStyleColor();
 }
 
+void title(const View& view, const std::string& text, std::string_view name) {
+  ImGui::PushFont(view.fonts.title);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+  note(view, name);
+}
+
 bool link(const View& view, const std::string& text) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -126,6 +135,21 @@ bool menuOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImG
 
 void closeMenus() {
   if (menuOpen()) ImGui::ClosePopupToLevel(0, true);
+}
+
+bool beginFloating(const View& view, const char* name, ImVec2 at, ImVec2 pivot, float width) {
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
+  ImGui::SetNextWindowSize({width, 0.0f});
+  constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                                      ImGuiWindowFlags_NoNav;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, view.px(8));
+  return ImGui::Begin(name, nullptr, kFlags);
+}
+
+void endFloating() {
+  ImGui::End();
+  ImGui::PopStyleVar();
 }
 
 bool beginDialog(const View& view, const char* title, double width) {

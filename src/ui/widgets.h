@@ -29,12 +29,19 @@ void figure(const View& view, const char* label, const std::string& value);
 void figure(const View& view, const char* label, const std::string& value, Color valueColor);
 void heading(const View& view, const char* text);
 void muted(const View& view, const std::string& text);
+/// What a panel is about, in the large font; tests know it as `name`.
+void title(const View& view, const std::string& text, std::string_view name);
 /// A word in the accent colour that can be clicked.
 bool link(const View& view, const std::string& text);
 
 /// Whether a menu or the list of a combo box is open.
 bool menuOpen();
 void closeMenus();
+
+/// Begins a small window over the picture: `at` is where its `pivot` (0 … 1 of its size) goes. Call endFloating() in
+/// any case, and draw in it when true.
+bool beginFloating(const View& view, const char* name, ImVec2 at, ImVec2 pivot, float width);
+void endFloating();
 
 /// Begins a modal dialog of this width (at 100 %), in the middle of the window. Call ImGui::EndPopup() when true.
 bool beginDialog(const View& view, const char* title, double width);

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "core/io/mesh_from.h"
 #include "core/mesh/cavity.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/locate.h"
@@ -65,6 +67,15 @@ std::vector<Point> collinear(Point direction) {
 }
 
 }  // namespace
+
+Mesh meshOf(std::vector<Point> points, std::vector<std::array<int, 3>> triangles) {
+  MeshFile file;
+  file.points = std::move(points);
+  file.triangles = std::move(triangles);
+  const auto mesh = meshFrom(file);
+  EXPECT_TRUE(mesh.ok());
+  return *mesh;
+}
 
 Mesh boxMesh(Point lo, Point hi) {
   Mesh mesh;

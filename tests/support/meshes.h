@@ -14,6 +14,9 @@ namespace triscope::support {
 /// Two triangles over the box; its four sides are boundary edges of one curve each.
 Mesh boxMesh(Point lo, Point hi);
 
+/// A mesh from lists of points and of counter-clockwise triangles, sound but for overlaps.
+Mesh meshOf(std::vector<Point> points, std::vector<std::array<int, 3>> triangles);
+
 /// Bowyer-Watson insertion from the last triangle. -1 when a vertex is there already.
 std::int32_t insert(Mesh& mesh, Point p);
 

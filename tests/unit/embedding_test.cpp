@@ -7,19 +7,12 @@
 
 #include "core/io/mesh_from.h"
 #include "core/mesh/edit.h"
+#include "support/meshes.h"
 
 namespace triscope {
 namespace {
 
-/// A mesh from a list of points and triangles, sound but for overlaps.
-Mesh meshOf(std::vector<Point> points, std::vector<std::array<int, 3>> triangles) {
-  MeshFile file;
-  file.points = std::move(points);
-  file.triangles = std::move(triangles);
-  const auto mesh = meshFrom(file);
-  EXPECT_TRUE(mesh.ok());
-  return *mesh;
-}
+using support::meshOf;
 
 std::string overlapOf(const Mesh& mesh) {
   for (const Violation& v : validate(mesh)) {

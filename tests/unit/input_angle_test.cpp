@@ -3,19 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/mesh_from.h"
+#include "support/meshes.h"
 
 namespace triscope {
 namespace {
 
-Mesh meshOf(std::vector<Point> points, std::vector<std::array<int, 3>> triangles) {
-  MeshFile file;
-  file.points = std::move(points);
-  file.triangles = std::move(triangles);
-  const auto mesh = meshFrom(file);
-  EXPECT_TRUE(mesh.ok());
-  return *mesh;
-}
+using support::meshOf;
 
 TEST(SmallInputAngle, IsTheWholeAngleBetweenBoundaryEdges) {
   // An angle of 45 degrees at the origin, shared by two triangles of about half of it.

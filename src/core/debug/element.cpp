@@ -25,11 +25,7 @@ constexpr std::array<std::string_view, 4> kCellTypes{"outside", "boundary", "adj
 
 std::string place(Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
-double areaOf(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  const Point a = pointOf(mesh, t.v[0]);
-  return 0.5 * std::fabs(cross(pointOf(mesh, t.v[1]) - a, pointOf(mesh, t.v[2]) - a));
-}
+double areaOf(const Mesh& mesh, std::int32_t slot) { return 0.5 * std::fabs(twiceArea(mesh, slot)); }
 
 std::vector<Line> ofTriangle(const Mesh& mesh, std::int32_t slot) {
   const Triangle& t = triangleAt(mesh, slot);

@@ -13,15 +13,6 @@ std::size_t bytesIn(const std::vector<T>& list) {
   return list.size() * sizeof(T);
 }
 
-/// First stage that the difference between two settings can matter to; `finished` when they are the same.
-Stage firstAffected(const Settings& a, const Settings& b) {
-  Stage first = Stage::finished;
-  for (const SettingInfo& info : settingTable()) {
-    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
-  }
-  return first;
-}
-
 }  // namespace
 
 std::size_t bytesOf(const MeshState& s) {

@@ -43,12 +43,6 @@ double areaRatio(double l, double r) {
   return small > 0.0 ? std::max(l, r) / small : 1e300;
 }
 
-double twiceArea(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  const Point a = pointOf(mesh, t.v[0]);
-  return cross(pointOf(mesh, t.v[1]) - a, pointOf(mesh, t.v[2]) - a);
-}
-
 }  // namespace
 
 bool isObtuse(Point a, Point b, Point c) {

@@ -95,6 +95,18 @@ inline std::int32_t apexOf(const Mesh& mesh, std::int32_t half) {
 inline std::int32_t oppositeOf(const Mesh& mesh, std::int32_t half) {
   return triangleAt(mesh, triangleOf(half)).adj[static_cast<std::size_t>(cornerOf(half))];
 }
+/// Twice the area of a triangle, positive when it is counter-clockwise.
+inline double twiceArea(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  const Point a = pointOf(mesh, t.v[0]);
+  return cross(pointOf(mesh, t.v[1]) - a, pointOf(mesh, t.v[2]) - a);
+}
+/// Whether a corner of a live triangle belongs to the box around everything.
+inline bool touchesHelper(const Mesh& mesh, std::int32_t slot) {
+  for (const std::int32_t v : triangleAt(mesh, slot).v)
+    if (mesh.kinds[static_cast<std::size_t>(v)] == VertexKind::helper) return true;
+  return false;
+}
 inline bool constrained(const Mesh& mesh, std::int32_t half) {
   return (mesh.flags[static_cast<std::size_t>(triangleOf(half))] >> cornerOf(half) & 1) != 0;
 }

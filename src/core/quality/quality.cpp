@@ -45,13 +45,6 @@ struct Sum {
   [[nodiscard]] double result() const { return total + lost; }
 };
 
-bool touchesHelper(const Mesh& mesh, const Triangle& triangle) {
-  for (const std::int32_t v : triangle.v) {
-    if (mesh.kinds[at(v)] == VertexKind::helper) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 TriangleQuality qualityOf(Point a, Point b, Point c) {
@@ -94,7 +87,7 @@ Quality measure(const Mesh& mesh) {
   std::vector<double> areas(mesh.triangles.size(), -1.0);  // -1: not measured
   for (std::int32_t slot = 0; slot < slots; ++slot) {
     const auto index = at(slot);
-    if (!mesh.alive(slot) || touchesHelper(mesh, mesh.triangles[index])) continue;
+    if (!mesh.alive(slot) || touchesHelper(mesh, slot)) continue;
     const auto& v = mesh.triangles[index].v;
     for (const std::int32_t corner : v) used[at(corner)] = 1;
     const TriangleQuality t = qualityOf(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])]);

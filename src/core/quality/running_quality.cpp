@@ -15,16 +15,6 @@ Point cornerOfSlot(const Mesh& mesh, std::int32_t slot, std::size_t i) {
   return pointOf(mesh, triangleAt(mesh, slot).v[i]);
 }
 
-double areaOf(const Mesh& mesh, std::int32_t slot) {
-  const Point a = cornerOfSlot(mesh, slot, 0);
-  return std::fabs(cross(cornerOfSlot(mesh, slot, 1) - a, cornerOfSlot(mesh, slot, 2) - a));
-}
-
-bool helperIn(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return std::any_of(t.v.begin(), t.v.end(), [&](std::int32_t v) { return mesh.kinds[at(v)] == VertexKind::helper; });
-}
-
 double sign(std::size_t measure) { return measure == static_cast<std::size_t>(Measure::min_angle) ? -1.0 : 1.0; }
 
 }  // namespace
@@ -33,10 +23,10 @@ MeasureValues measuresOf(const Mesh& mesh, std::int32_t slot) {
   const TriangleQuality q =
       qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2));
   double ratio = 1.0;  // of a triangle without neighbours
-  const double own = areaOf(mesh, slot);
+  const double own = std::fabs(twiceArea(mesh, slot));
   for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-    if (across < 0 || helperIn(mesh, triangleOf(across))) continue;
-    const double other = areaOf(mesh, triangleOf(across));
+    if (across < 0 || touchesHelper(mesh, triangleOf(across))) continue;
+    const double other = std::fabs(twiceArea(mesh, triangleOf(across)));
     ratio = std::max(ratio, std::max(own, other) / std::min(own, other));
   }
   return {q.aspect, ratio, q.edgeRatio, q.minAngle, q.maxAngle};
@@ -76,7 +66,7 @@ void RunningQuality::measure(const Mesh& mesh, std::int32_t slot) {
   std::uint8_t& state = obtuseAt_[at(slot)];
   obtuse_ -= state & 1u;
   triangles_ -= state >> 1u;
-  const bool counts = mesh.alive(slot) && !helperIn(mesh, slot);
+  const bool counts = mesh.alive(slot) && !touchesHelper(mesh, slot);
   if (!counts) {
     state = 0;
     for (std::size_t m = 0; m < trees_.size(); ++m) set(m, slot, kNone);

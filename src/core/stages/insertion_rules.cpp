@@ -50,18 +50,13 @@ bool step3(const MeshState&, std::int32_t, const Shape& shape, Proposal& proposa
   return notBelow(shape.squaredRadius, shape.squaredShortest) && atCentre(shape, shape.squaredShortest, -1, proposal);
 }
 
-double twiceArea(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return cross(pointOf(mesh, t.v[1]) - pointOf(mesh, t.v[0]), pointOf(mesh, t.v[2]) - pointOf(mesh, t.v[0]));
-}
-
 // Step 4: R ≥ e of an adjacent triangle. Not as the paper says, it passes by a pair whose areas are close already:
 // along a row of nearly equilateral triangles each insertion would call for the next, against the density asked for.
 bool step4(const MeshState& state, std::int32_t slot, const Shape& shape, Proposal& proposal) {
+  const double own = twiceArea(state.mesh, slot);
   for (const std::int32_t across : triangleAt(state.mesh, slot).adj) {
     if (across < 0) continue;
-    if (twiceArea(state.mesh, slot) < state.settings.step4AreaRatio * twiceArea(state.mesh, triangleOf(across)))
-      continue;
+    if (own < state.settings.step4AreaRatio * twiceArea(state.mesh, triangleOf(across))) continue;
     const double limit = squaredShortestEdge(state.mesh, triangleOf(across));
     if (notBelow(shape.squaredRadius, limit)) return atCentre(shape, limit, triangleOf(across), proposal);
   }

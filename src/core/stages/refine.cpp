@@ -154,11 +154,6 @@ Point turned(Point p, Point about, trig::SinCos by) {
   return about + Point{d.x * by.cos - d.y * by.sin, d.x * by.sin + d.y * by.cos};
 }
 
-double twiceArea(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return cross(pointOf(mesh, t.v[1]) - pointOf(mesh, t.v[0]), pointOf(mesh, t.v[2]) - pointOf(mesh, t.v[0]));
-}
-
 // Edge of the triangle over which its neighbour is larger by the given factor, or -1.
 int largeNeighbour(const Mesh& mesh, std::int32_t slot) {
   const double own = twiceArea(mesh, slot);
