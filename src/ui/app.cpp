@@ -69,13 +69,13 @@ void App::onKey(int key, int mods) {
   const std::optional<Action> action = actionFor(key, mods);
   if (!action) return;
   const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
-  const bool types = edits && !isFunctionKey(key);
-  if (ImGui::GetIO().WantTextInput && types && *action != Action::cancel) return;
-  pressed_.push_back(*action);
+  pressed_.push_back({*action, edits && !isFunctionKey(key) && *action != Action::cancel});
 }
 
 void App::performPressed() {
-  for (const Action action : std::exchange(pressed_, {})) {
+  for (const auto [action, types] : std::exchange(pressed_, {})) {
+    // Asked only now: the key before it may have ended the typing.
+    if (types && ImGui::GetIO().WantTextInput) continue;
     const bool always = action == Action::cancel || action == Action::quit || action == Action::help;
     if (ui_.dialog == Dialog::none || always) perform(action);
   }

@@ -185,7 +185,11 @@ class App {
   std::string preferencesPath_;
   Appearance savedLook_;
   std::vector<WidgetRect> widgets_;
-  std::vector<Action> pressed_;  // by keys, since the last frame
+  struct Pressed {
+    Action action;
+    bool types;  // means something else while text is typed
+  };
+  std::vector<Pressed> pressed_;  // by keys, since the last frame
   std::shared_ptr<const Domain> shownDomain_;
   SnapshotPtr shown_;
   DebugAnswers answers_;

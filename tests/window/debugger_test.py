@@ -172,7 +172,7 @@ class Debugger(harness.WindowTest):
         x, y, width, height = self.strip("plots.bars")
         self.window.press(x + 3, y + height - 3)
         self.window.wait(lambda s: s["debug"]["brush"], "the bar to mark its triangles")
-        self.assertNotEqual(self.window.image().colors(left, top, wide, high), before)
+        self.window.drawn(lambda image: image.colors(left, top, wide, high) != before, "the change to be drawn")
         self.window.click("plots.unmark")
         self.window.wait(lambda s: not s["debug"]["brush"], "the marks to go")
 

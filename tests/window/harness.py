@@ -131,6 +131,15 @@ class Window:
         time.sleep(0.15)  # the frame that the state file tells of is on its way to the screen
         return Image(self.display.name)
 
+    def drawn(self, condition, what):
+        """The first picture that the condition holds for."""
+        end = time.monotonic() + TIMEOUT
+        while time.monotonic() < end:
+            image = self.image()
+            if condition(image):
+                return image
+        raise AssertionError(f"waited in vain for {what}")
+
     # What a person does.
 
     def key(self, *chords):

@@ -68,7 +68,7 @@ class Look(harness.WindowTest):
             self.window.key("F10")
             state = self.window.wait(lambda s: s["caption"] != caption, "another caption")
             self.assertRegex(state["caption"], r"^Step 1 put vertex \d+ at the circumcentre of triangle \d+: .* R = ")
-            self.assertNotEqual(self.window.image().colors(left, top, width, height), before)
+            self.window.drawn(lambda image: image.colors(left, top, width, height) != before, "the step to be drawn")
 
 
 class Stages(harness.WindowTest):
