@@ -102,5 +102,26 @@ TEST(Fronts, GiveAStraightSideEquilateralTriangles) {
   EXPECT_GT(looked, 20);
 }
 
+// One after the other along a circle of n edges, each point of the first front would take over √n of them from the one
+// before: 60 triangles at a time here.
+TEST(Fronts, CavitiesStaySmallAlongALongBoundary) {
+  MeshState state = support::after(support::domainFrom(R"({"min_edge_length": 0.0005,
+    "outer": [[-4, -4], [4, -4], [4, 4], [-4, 4]],
+    "holes": [{"name": "disc", "kind": "circle", "center": [0, 0], "radius": 1}],
+    "density": [{"loop": "disc", "rank": 1}]})"),
+                                   Stage::carve);
+  std::vector<Event> events;
+  Journal journal{&events};
+  while (state.stage <= Stage::front2) advance(state, Grain::stage, journal);
+  double inserted = 0.0, removed = 0.0;
+  for (const Event& event : events) {
+    if (event.kind != EventKind::vertex_inserted) continue;
+    inserted += 1.0;
+    removed += event.removedCount;
+  }
+  EXPECT_GT(inserted, 15000.0);
+  EXPECT_LT(removed, 10.0 * inserted);
+}
+
 }  // namespace
 }  // namespace triscope

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/geometry/predicates.h"
+#include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
 #include "core/stages/insertion_rules.h"
 #include "support/judge.h"
@@ -229,7 +230,7 @@ TEST_P(Rules, NothingIsLeftForAStepButWhatItRefused) {
   const auto expectNothingLeft = [&](Stage step) {
     for (const std::int32_t slot : support::liveSlots(state.mesh)) {
       Proposal proposal;
-      if (!proposes(step, state, slot, proposal)) continue;
+      if (!proposes(step, state, slot, shapeOf(state.mesh, slot), proposal)) continue;
       EXPECT_TRUE(std::ranges::any_of(events,
                                       [&](const Event& e) {
                                         return e.kind == EventKind::vertex_refused && e.rule == ruleOf(step) &&
@@ -246,6 +247,30 @@ TEST_P(Rules, NothingIsLeftForAStepButWhatItRefused) {
   }
   while (state.stage < Stage::repair) advance(state, Grain::stage, journal);
   for (const Stage step : {Stage::step2, Stage::step3, Stage::step4, Stage::step5}) expectNothingLeft(step);
+}
+
+// The rules pass by what is clearly quiet without being asked: that must never hide a proposal, nor be of no use.
+TEST_P(Rules, QuietIsWhatNoRuleProposesFor) {
+  MeshState state = support::start(support::domainFrom(GetParam()));
+  support::runPast(state, Stage::front2);
+  std::size_t quiet = 0, asked = 0;
+  support::eachDecision(state, Stage::repair, [&](const MeshState&, const MeshState& now, auto) {
+    if (now.tick % 16 != 0) return;
+    quiet = asked = 0;
+    for (const std::int32_t slot : support::liveSlots(now.mesh)) {
+      const Shape shape = shapeOf(now.mesh, slot);
+      const Quiet all = clearlyQuiet(now, slot, shape);
+      Proposal proposal;
+      EXPECT_FALSE(all.step3 && proposes(Stage::step3, now, slot, shape, proposal)) << slot;
+      EXPECT_FALSE(all.step4 && proposes(Stage::step4, now, slot, shape, proposal)) << slot;
+      EXPECT_FALSE(all.step5 && proposes(Stage::step5, now, slot, shape, proposal)) << slot;
+      EXPECT_FALSE(all.bounds && breaksBound(now.mesh, slot)) << slot;
+      ++asked;
+      if (all.step3 && all.step4 && all.step5 && all.bounds) ++quiet;
+    }
+  });
+  EXPECT_GT(asked, 0u);
+  EXPECT_GT(quiet, asked * 9 / 10) << "by the end of the rounds";
 }
 
 TEST_P(Rules, TheLastRoundInsertsNothing) {
@@ -289,7 +314,7 @@ TEST(InsertionRules, NearTiesAreInserted) {
   ASSERT_GE(edge, 0);
   ASSERT_EQ(apexOf(mesh, edge), 6);
   Proposal proposal;
-  EXPECT_TRUE(proposes(Stage::step3, state, triangleOf(edge), proposal));
+  EXPECT_TRUE(proposes(Stage::step3, state, triangleOf(edge), shapeOf(mesh, triangleOf(edge)), proposal));
   EXPECT_NEAR(proposal.measured, proposal.limit, 1e-12);
 }
 

@@ -245,10 +245,10 @@ TEST(WhyNot, ARuleIsSilentExactlyWhereItsConditionDoesNotHold) {
           const auto stage = static_cast<Stage>(static_cast<int>(Stage::step1) + step - 1);
           Proposal proposal;
           if (text.find("Step " + std::to_string(step) + " proposed nothing") == 0) {
-            EXPECT_FALSE(proposes(stage, all.state(), slot, proposal)) << sample << ": " << text;
+            EXPECT_FALSE(proposes(stage, all.state(), slot, shapeOf(mesh, slot), proposal)) << sample << ": " << text;
             ++silent;
           } else if (text.find(": Step " + std::to_string(step) + " proposed a vertex") != std::string::npos) {
-            EXPECT_TRUE(proposes(stage, all.state(), slot, proposal)) << sample << ": " << text;
+            EXPECT_TRUE(proposes(stage, all.state(), slot, shapeOf(mesh, slot), proposal)) << sample << ": " << text;
           }
         }
       }

@@ -5,6 +5,7 @@
 // as long as the boundary edges they turn between. Spokes that meet over an edge are merged. The second front does the
 // same off the first.
 #include <algorithm>
+#include <bit>
 
 #include "core/geometry/trig.h"
 #include "core/mesh/edit.h"
@@ -15,8 +16,10 @@ namespace triscope {
 namespace {
 
 constexpr double kFewestDegrees = 80.0;
-constexpr double kMergeWithin = 0.75;  // of the edge that two spokes meet over
-constexpr double kNearest = 0.7;       // of the edge length h, to any other vertex
+constexpr double kMergeWithin = 0.75;       // of the edge that two spokes meet over
+constexpr double kNearest = 0.7;            // of the edge length h, to any other vertex
+constexpr std::size_t kInLoopOrder = 4096;  // points at most that are placed in the order of the loops
+constexpr std::size_t kAhead = 16;          // with more points, every so many-th is placed ahead of the rest
 
 struct Sector {
   std::int32_t vertex;
@@ -138,28 +141,49 @@ std::vector<Sector> frontSectors(const MeshState& state) {
   return sectors;
 }
 
+// The order to place n points in: that of the loops, or with many points every 16th first, coarse to fine. One after
+// the other along a long boundary, each point's cavity takes in some √n of the boundary's edges ahead of it.
+std::vector<std::size_t> placingOrder(std::size_t n) {
+  std::vector<std::size_t> order;
+  order.reserve(n);
+  const bool many = n > kInLoopOrder;
+  if (many) {
+    order.push_back(0);
+    for (std::size_t stride = std::bit_floor(n); stride >= kAhead; stride /= 2)
+      for (std::size_t k = stride; k < n; k += 2 * stride) order.push_back(k);
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    if (!many || k % kAhead != 0) order.push_back(k);
+  return order;
+}
+
 // cursor: points = tips to place, worklist = the vertex each stands at, next = the vertex placed (-1 refused).
 void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
   Cursor& cursor = state.cursor;
   std::vector<Spoke> spokes;
   for (Sector& sector : sectors) addSpokes(state.mesh, state.tree, sector, spokes);
   mergeOverEdges(sectors, spokes);
-  std::vector<std::int32_t> proposalOf(spokes.size(), -1);
-  std::vector<double> weight;
+  struct Tip {
+    Point sum;  // of the spokes merged in it
+    double weight = 0.0;
+    std::int32_t vertex = -1;
+    std::int32_t proposal = -1;
+  };
+  std::vector<Tip> tips;
+  std::vector<std::size_t> tipOf(spokes.size());
   for (std::size_t k = 0; k < spokes.size(); ++k) {
-    const std::size_t root = rootOf(spokes, k);
-    if (proposalOf[root] < 0) {
-      proposalOf[root] = static_cast<std::int32_t>(cursor.points.size());
-      cursor.points.push_back({});
-      cursor.worklist.push_back(spokes[k].vertex);
-      weight.push_back(0.0);
-    }
-    const auto proposal = static_cast<std::size_t>(proposalOf[root]);
-    proposalOf[k] = proposalOf[root];
-    cursor.points[proposal] = cursor.points[proposal] + spokes[k].tip;
-    weight[proposal] += 1.0;
+    const std::size_t root = rootOf(spokes, k);  // the lowest of its group
+    tipOf[k] = root == k ? tips.size() : tipOf[root];
+    if (root == k) tips.push_back({.sum = {}, .vertex = spokes[k].vertex});
+    Tip& tip = tips[tipOf[k]];
+    tip.sum = tip.sum + spokes[k].tip;
+    tip.weight += 1.0;
   }
-  for (std::size_t k = 0; k < cursor.points.size(); ++k) cursor.points[k] = (1.0 / weight[k]) * cursor.points[k];
+  for (const std::size_t k : placingOrder(tips.size())) {
+    tips[k].proposal = static_cast<std::int32_t>(cursor.points.size());
+    cursor.points.push_back((1.0 / tips[k].weight) * tips[k].sum);
+    cursor.worklist.push_back(tips[k].vertex);
+  }
   cursor.next.assign(cursor.points.size(), -1);
   if (!keepLoops) return;
   state.frontLoops.clear();
@@ -169,7 +193,7 @@ void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
     for (std::size_t k = s; seen[k] == 0; k = sectors[k].next) {
       seen[k] = 1;
       for (std::size_t spoke = sectors[k].spokes; spoke-- > 0;) {
-        state.frontLoops.push_back(proposalOf[sectors[k].firstSpoke + spoke]);
+        state.frontLoops.push_back(tips[tipOf[sectors[k].firstSpoke + spoke]].proposal);
       }
     }
     state.frontLoops.push_back(-1);

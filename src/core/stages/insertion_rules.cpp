@@ -1,6 +1,7 @@
 #include "core/stages/insertion_rules.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/geometry/circumcircle.h"
 #include "core/mesh/badness.h"
@@ -105,8 +106,7 @@ Shape shapeOf(const Mesh& mesh, std::int32_t slot) {
   return shape;
 }
 
-bool proposes(Stage step, const MeshState& state, std::int32_t slot, Proposal& proposal) {
-  const Shape shape = shapeOf(state.mesh, slot);
+bool proposes(Stage step, const MeshState& state, std::int32_t slot, const Shape& shape, Proposal& proposal) {
   switch (step) {
     case Stage::step1:
       return step1(state, slot, shape, proposal);
@@ -119,6 +119,34 @@ bool proposes(Stage step, const MeshState& state, std::int32_t slot, Proposal& p
     default:
       return step5(state, slot, shape, proposal);
   }
+}
+
+Quiet clearlyQuiet(const MeshState& state, std::int32_t slot, const Shape& shape) {
+  constexpr double kClearly = 1.0 - 1e-6;  // far from a tie, whatever the order of the operations
+  Quiet quiet;
+  quiet.step3 = shape.squaredRadius < kClearly * shape.squaredShortest;
+  quiet.bounds = quiet.step3;
+  const std::array<Point, 3> corners{shape.a, shape.b, shape.c};
+  const double own = cross(shape.b - shape.a, shape.c - shape.a);
+  for (int i = 0; i < 3; ++i) {
+    const std::int32_t across = oppositeOf(state.mesh, 3 * slot + i);
+    if (across < 0) continue;
+    const Point p1 = corners[static_cast<std::size_t>(next3(i))];
+    const Point p3 = corners[static_cast<std::size_t>(prev3(i))];
+    const Point p4 = corners[static_cast<std::size_t>(i)];
+    const Point p2 = pointOf(state.mesh, apexOf(state.mesh, across));
+    const double other = cross(p2 - p1, p3 - p1);
+    if (!(std::max(own, other) < 3.0 * kClearly * std::min(own, other))) quiet.bounds = false;
+    const double edge = squaredDistance(p1, p3);
+    const double shortest = std::min({squaredDistance(p1, p2), squaredDistance(p2, p3), edge});
+    const bool close = own < kClearly * state.settings.step4AreaRatio * other;
+    if (!close && !(shape.squaredRadius < kClearly * shortest)) quiet.step4 = false;
+    // With h = other / |p1 p3|. Most need no root: (e + h)² > e² + h².
+    const double reach = squaredDistance(midpoint(p1, p3), p4);
+    if (reach * edge < kClearly * (shortest * edge + other * other)) continue;
+    if (!(std::sqrt(reach * edge) < kClearly * (std::sqrt(shortest * edge) + other))) quiet.step5 = false;
+  }
+  return quiet;
 }
 
 }  // namespace triscope

@@ -22,7 +22,17 @@ struct Proposal {
   std::int32_t other = -1;  // slot of the adjacent triangle that the limit came from, -1 when none
 };
 
-/// True when the rule of `step` (step1 … step5) proposes a point for the triangle.
-bool proposes(Stage step, const MeshState& state, std::int32_t slot, Proposal& proposal);
+/// True when the rule of `step` (step1 … step5) proposes a point for the triangle of this shape.
+bool proposes(Stage step, const MeshState& state, std::int32_t slot, const Shape& shape, Proposal& proposal);
+
+/// Which rules certainly have nothing to say to a triangle; false tells nothing.
+struct Quiet {
+  bool step3 = true;
+  bool step4 = true;
+  bool step5 = true;
+  bool bounds = true;  // of section 3: on the angles, and on the area ratio with each neighbour
+};
+/// All at once, by limits a little rougher than those of the rules, and without a division.
+Quiet clearlyQuiet(const MeshState& state, std::int32_t slot, const Shape& shape);
 
 }  // namespace triscope

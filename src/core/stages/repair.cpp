@@ -20,9 +20,7 @@ namespace triscope {
 namespace {
 
 constexpr int kPatchDepth = 7;
-constexpr std::uint8_t kTried = 32;  // bit of Mesh::tested: breaks no bound or nothing helps, and is unchanged since
-constexpr std::uint8_t kSteps = 31;  // bits of Mesh::tested of steps 1-5
-constexpr int kPasses = 8;           // over the triangles that break a bound, in one visit of the stage
+constexpr int kPasses = 8;  // over the triangles that break a bound, in one visit of the stage
 
 enum class Edit : std::uint8_t { none, move, insert, remove, split };
 
@@ -259,11 +257,11 @@ void record(const MeshState& state, Journal& journal, const Remedy& remedy, std:
 void queueBroken(MeshState& state) {
   Mesh& mesh = state.mesh;
   std::vector<std::int32_t>& worklist = state.cursor.worklist;
-  forEachUntested(mesh, kTried, [&](std::int32_t slot) {
+  forEachUntested(mesh, kTestedRepair, [&](std::int32_t slot) {
     if (breaksBound(mesh, slot)) {
       worklist.push_back(slot);
     } else {
-      mesh.tested[at(slot)] |= kTried;
+      mesh.tested[at(slot)] |= kTestedRepair;
     }
   });
   std::reverse(worklist.begin(), worklist.end());
@@ -286,13 +284,13 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     }
     const std::int32_t slot = cursor.worklist.back();
     cursor.worklist.pop_back();
-    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kTried) != 0 || !breaksBound(mesh, slot)) continue;
+    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kTestedRepair) != 0 || !breaksBound(mesh, slot)) continue;
     const std::uint32_t subject = idOf(mesh, slot);
     double floor = 0.0;
     const Treatment treatment = bestTreatment(state, slot, floor);
     StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
     if (treatment[0].edit == Edit::none) {
-      mesh.tested[at(slot)] |= kTried;
+      mesh.tested[at(slot)] |= kTestedRepair;
       ++counts.refused;
       record(state, journal, {Edit::none, -1, centroidOf(mesh, slot)}, subject, {}, {});
       return Outcome::decided;
@@ -315,7 +313,7 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     }
     // The steps would put back what was taken out, round after round: they pass over what fills its place.
     for (const std::int32_t gap : gaps) {
-      if (mesh.alive(gap) && idOf(mesh, gap) >= firstId) mesh.tested[at(gap)] |= kSteps;
+      if (mesh.alive(gap) && idOf(mesh, gap) >= firstId) mesh.tested[at(gap)] |= kTestedSteps;
     }
     if (inserted) return Outcome::inserted;
     ++cursor.changes;

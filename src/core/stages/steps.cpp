@@ -15,6 +15,23 @@ Rule ruleOf(Stage step) {
   return static_cast<Rule>(static_cast<int>(Rule::step1) + static_cast<int>(step) - static_cast<int>(Stage::step1));
 }
 
+constexpr std::uint8_t bitOf(Stage step) {
+  return static_cast<std::uint8_t>(1u << (static_cast<int>(step) - static_cast<int>(Stage::step1)));
+}
+
+// Marks what the later steps need not look at again, while the triangle and its neighbours are at hand: reading the
+// whole mesh once more for each rule costs more than the rules do. Not in step 1, most triangles of which are soon
+// gone.
+void passOver(MeshState& state, std::int32_t slot, const Shape& shape) {
+  if (state.stage == Stage::step1) return;
+  const Quiet quiet = clearlyQuiet(state, slot, shape);
+  std::uint8_t& tested = state.mesh.tested[at(slot)];
+  if (quiet.step3) tested |= bitOf(Stage::step3);
+  if (quiet.step4) tested |= bitOf(Stage::step4);
+  if (quiet.step5) tested |= bitOf(Stage::step5);
+  if (quiet.bounds) tested |= kTestedRepair;
+}
+
 void queueStar(MeshState& state, std::int32_t vertex) {
   starOf(state.mesh, vertex, star);
   for (const std::int32_t rim : star.rim) state.cursor.worklist.push_back(triangleOf(rim));
@@ -39,7 +56,7 @@ void record(const MeshState& state, Journal& journal, std::uint32_t subject, con
 Outcome runSteps(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
-  const auto bit = static_cast<std::uint8_t>(1u << (static_cast<int>(state.stage) - static_cast<int>(Stage::step1)));
+  const std::uint8_t bit = bitOf(state.stage);
   if (!cursor.begun) {
     cursor.begun = true;
     forEachUntested(mesh, bit, [&](std::int32_t slot) { cursor.worklist.push_back(slot); });
@@ -49,8 +66,12 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     cursor.worklist.pop_back();
     if (!mesh.alive(slot) || (mesh.tested[at(slot)] & bit) != 0) continue;
     mesh.tested[at(slot)] |= bit;
+    const Shape shape = shapeOf(mesh, slot);
     Proposal proposal;
-    if (!proposes(state.stage, state, slot, proposal)) continue;
+    if (!proposes(state.stage, state, slot, shape, proposal)) {
+      passOver(state, slot, shape);
+      continue;
+    }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
     const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {proposal.nearest, -0.5});
