@@ -62,7 +62,9 @@ void SessionWorker::load(const command::Load& what) {
 
 void SessionWorker::change(const Settings& settings) {
   const Stage first = firstAffected(state_.settings, settings);
-  const bool untouched = state_.stage < first || (state_.stage == first && !state_.cursor.begun);
+  // What the first stage needs (Δx, the root of the quadtree) is worked out before it begins.
+  const bool derives = first == Stage::constraints;
+  const bool untouched = !derives && (state_.stage < first || (state_.stage == first && !state_.cursor.begun));
   if (first == Stage::finished || untouched) {
     state_.settings = settings;
     if (first != Stage::finished) {
@@ -80,7 +82,7 @@ void SessionWorker::change(const Settings& settings) {
   const MeshState& before = *backup_->at.state;
   const bool toEnd = before.stage == Stage::finished || goal_.kind == Goal::Kind::end;
   const std::uint64_t tick = before.tick;
-  if (first == Stage::constraints) {
+  if (derives) {
     if (!startOver(state_.domain, settings)) return;
   } else {
     const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(), [first](const Checkpoint& c) {

@@ -126,6 +126,20 @@ TEST(Session, AChangeOfSettingsGivesTheMeshOfAFreshRun) {
   EXPECT_EQ(hashOf(doNow(session, command::Change{settings}).state), hashOf(straightRun(domain, settings, nullptr)));
 }
 
+TEST(Session, AChangeBeforeTheFirstDecisionDerivesTheLengthsAgain) {
+  const auto domain = square(0.0);
+  Session session;
+  doNow(session, command::OpenDomain{domain});
+  doNow(session, command::Restart{});
+  Settings coarser;
+  coarser.minEdge = 1.0;
+  const Snapshot& now = doNow(session, command::Change{coarser});
+  EXPECT_EQ(now.state.tick, 0u);
+  EXPECT_EQ(hashOf(now.state), hashOf(*begin(domain, coarser)));
+  doNow(session, command::Advance{Grain::all});
+  EXPECT_EQ(hashOf(session.current()->state), hashOf(straightRun(domain, coarser, nullptr)));
+}
+
 TEST(Session, AChangeInTheMiddleStaysAtTheSameDecision) {
   const auto domain = square(0.5);
   Session session;
