@@ -9,7 +9,9 @@
 #include <string>
 
 #include "core/domain/read.h"
+#include "core/history/history.h"
 #include "core/pipeline.h"
+#include "core/run_record.h"
 #include "ring.h"
 
 namespace triscope::bench {
@@ -83,9 +85,11 @@ BENCHMARK(ringStages)
     ->Arg(1000)
     ->Arg(3000)
     ->Arg(10000)
+    ->Arg(15000)
     ->Arg(30000)
     ->Arg(100000)
     ->Arg(300000)
+    ->Arg(540000)
     ->Arg(1000000)
     ->UseManualTime()
     ->MinTime(4.0)
@@ -119,6 +123,54 @@ void threeElementAirfoil(benchmark::State& bench) {
   });
 }
 BENCHMARK(threeElementAirfoil)->UseManualTime()->MinTime(3.0)->Unit(benchmark::kMillisecond);
+
+/// What the window adds to a run, all stages: argument 0 nothing, 1 every event, 2 the recorder and keyframes as well,
+/// one decision at a time.
+void airfoilHistory(benchmark::State& bench) {
+  Result<Domain> read = readDomain(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
+  if (!read.ok()) throw std::runtime_error(describe(read.error()));
+  const auto domain = std::make_shared<const Domain>(std::move(*read));
+  std::vector<Event> all;
+  std::vector<Event> beat;
+  std::size_t keyframes = 0, keyframeBytes = 0, inserted = 0;
+  fastest(bench, [&] {
+    all = {};
+    Run run;
+    const double start = processorSeconds();
+    MeshState state = beginOrThrow(domain, Settings{});
+    if (bench.range(0) < 2) {
+      Journal journal;
+      if (bench.range(0) == 1) journal.events = &all;
+      advance(state, Grain::all, journal);
+    } else {
+      Journal journal{&beat};
+      RunRecorder recorder;
+      History history;
+      history.restart(state);
+      while (state.stage != Stage::finished) {
+        beat.clear();
+        const std::uint64_t tick = state.tick;
+        const std::size_t points = state.mesh.points.size();
+        advanceUntil(state, state.stage, 1, journal);
+        all.insert(all.end(), beat.begin(), beat.end());
+        recorder.follow(state, {tick, points, beat, all.size()});
+        if (state.tick != tick) history.offer(state, all.size());
+      }
+      keyframes = history.count();
+      keyframeBytes = history.bytes();
+    }
+    run.total = processorSeconds() - start;
+    run.triangles = state.mesh.liveCount();
+    inserted = state.mesh.points.size();
+    return run;
+  });
+  bench.counters["events"] = static_cast<double>(all.size());
+  bench.counters["event_bytes"] = static_cast<double>(all.size() * sizeof(Event));
+  bench.counters["inserted"] = static_cast<double>(inserted);
+  bench.counters["keyframes"] = static_cast<double>(keyframes);
+  bench.counters["keyframe_bytes"] = static_cast<double>(keyframeBytes);
+}
+BENCHMARK(airfoilHistory)->Arg(0)->Arg(1)->Arg(2)->UseManualTime()->MinTime(3.0)->Unit(benchmark::kMillisecond);
 
 std::int64_t peakBytes() {
   rusage usage{};
