@@ -4,7 +4,7 @@
 #include <numeric>
 #include <optional>
 
-#include "cli/bound_text.h"
+#include "core/debug/bound_text.h"
 #include "cli/carry_on.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"

@@ -4,10 +4,36 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/debug/bound_text.h"
 #include "core/domain/read.h"
 #include "core/session_worker.h"
 
 namespace triscope {
+namespace {
+
+/// "omega = 0.2, theta = 9" of the settings that are not as they come; "" when all are.
+std::string changedFrom(const Settings& standard, const Settings& settings) {
+  std::string list;
+  for (const SettingInfo& info : settingTable()) {
+    const double value = settingValue(settings, info);
+    if (value == settingValue(standard, info)) continue;
+    if (!list.empty()) list += ", ";
+    list += fmt::format("{} = {:g}", info.symbol.empty() ? info.key : info.symbol, value);
+  }
+  return list;
+}
+
+/// ": aspect ratio 15, not < 4.31, at (1, 2)" of the first bound that the mesh does not meet once the rounds are over.
+std::string unmetIn(const MeshState& state) {
+  if (state.stage < Stage::refine) return {};
+  const Quality quality = measure(state.mesh);
+  for (const WorstMeasure& worst : worstOf(quality))
+    if (!worst.met()) return ": " + unmetText(state.mesh, quality, worst);
+  return {};
+}
+
+}  // namespace
+
 void SessionWorker::carryOut(const Command& order) {
   ++ordersDone_;
   error_.reset();
@@ -52,7 +78,11 @@ void SessionWorker::open(std::shared_ptr<const Domain> domain) {
   keepBackup();
   Settings settings = state_.settings;
   settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
-  if (startOver(std::move(domain), settings)) head({.kind = Goal::Kind::end}, Activity::meshing);
+  const bool another = !state_.domain || state_.domain->file.empty() || state_.domain->file != domain->file;
+  if (!startOver(std::move(domain), settings)) return;
+  const std::string kept = changedFrom(Settings{}, settings);
+  if (another && !kept.empty()) notice_ = fmt::format("Kept from the domain before: {}. Params sets it back.", kept);
+  head({.kind = Goal::Kind::end}, Activity::meshing);
 }
 
 void SessionWorker::load(const command::Load& what) {
@@ -181,11 +211,11 @@ void SessionWorker::findViolation() {
   const std::optional<Hit> hit = continueForward(probe, rules, passed, interrupt_);
   if (hit) {
     takeHit(*hit, rules);
-    notice_ = fmt::format("Decision {} is the first that breaks a rule: {}", hit->tick,
-                          rules[hit->breakpoint].condition.text());
+    notice_ = fmt::format("Decision {}: {}{}.", hit->tick, violationRules()[hit->breakpoint].words, unmetIn(probe));
     return seek(hit->tick);
   }
-  rest(interrupt_ ? "The search was stopped." : "No decision of the whole run breaks a bound or a validity rule.");
+  rest(interrupt_ ? "The search was stopped."
+                  : "No rule is broken in the whole run, and no bound once steps 1–5 are over.");
 }
 
 void SessionWorker::cancel() {

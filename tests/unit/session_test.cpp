@@ -1,6 +1,7 @@
 // A session gives what the pipeline gives, however it is stepped, and never blocks on what it was asked.
 #include "core/session.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -362,6 +363,36 @@ TEST(Session, ACancelledLoadKeepsTheDomainFromBefore) {
   if (session.domain() == before) {
     EXPECT_EQ(hashOf(session.current()->state), hash);
   }
+}
+
+TEST(Session, SaysWhichParametersAnotherDomainKeeps) {
+  Session session;
+  doNow(session, command::OpenDomain{square(1.0)});
+  Settings settings = session.settings();
+  settings.omega = 0.2;
+  doNow(session, command::Change{settings});
+  Domain other = *square(0.5);
+  doNow(session, command::OpenDomain{std::make_shared<const Domain>(other)});
+  EXPECT_EQ(session.notice(), "") << "the same file, read again";
+  other.file = "other.json";
+  doNow(session, command::OpenDomain{std::make_shared<const Domain>(other)});
+  EXPECT_EQ(session.settings().omega, 0.2);
+  EXPECT_EQ(session.notice(), "Kept from the domain before: ω = 0.2. Params sets it back.");
+}
+
+TEST(Session, TellsTheFirstViolationInWords) {
+  Result<Domain> wedge =
+      parseDomain(R"({"name": "wedge", "min_edge_length": 0.2, "outer": [[0,0],[10,0],[10,2]]})", "wedge.json");
+  ASSERT_TRUE(wedge.ok());
+  Session session;
+  doNow(session, command::OpenDomain{std::make_shared<const Domain>(std::move(*wedge))});
+  const Snapshot& now = doNow(session, command::FindViolation{});
+  EXPECT_EQ(session.notice().find(fmt::format("Decision {}: a bound does not hold", now.state.tick)), 0u)
+      << session.notice();
+  EXPECT_NE(session.notice().find("at the input angle of 11.3° at (0, 0)"), std::string::npos) << session.notice();
+  doNow(session, command::OpenDomain{square(0.5)});
+  doNow(session, command::FindViolation{});
+  EXPECT_EQ(session.notice(), "No rule is broken in the whole run, and no bound once steps 1–5 are over.");
 }
 
 }  // namespace

@@ -1,19 +1,13 @@
 #include "core/debug/breakpoint.h"
 
 #include <algorithm>
-#include <string_view>
 
-#include "core/geometry/predicates.h"
-#include "core/mesh/edit.h"
-#include "core/mesh/flip.h"
+#include "core/debug/validity.h"
 
 namespace triscope {
 
 Watch::Watch(MeshState& state, std::span<const Breakpoint> breakpoints)
-    : state_(state), breakpoints_(breakpoints), shortest_(state.minEdge), held_(breakpoints.size(), 0) {
-  for (const Curve& curve : state.domain->curves) {
-    if (curve.kind == CurveKind::line) shortest_ = std::min(shortest_, distance(curve.a, curve.b));
-  }
+    : state_(state), breakpoints_(breakpoints), shortest_(shortestAllowed(state)), held_(breakpoints.size(), 0) {
   quality_.reset(state.mesh);
   const Event none;
   const Moment moment{state_, none, quality_, 0, 0};
@@ -21,27 +15,6 @@ Watch::Watch(MeshState& state, std::span<const Breakpoint> breakpoints)
     const Condition& condition = breakpoints_[k].condition;
     held_[k] = !condition.asksOfEvents() && condition.holds(moment) ? 1 : 0;
   }
-}
-
-std::uint8_t Watch::brokenNow() const {
-  const Mesh& mesh = state_.mesh;
-  std::uint8_t broken = 0;
-  // Before the carving edges may run outside the domain, across a thin part of it.
-  const double shortest = state_.stage > Stage::carve ? shortest_ * shortest_ * (1.0 - 1e-9) : 0.0;
-  for (const std::int32_t slot : changes_.slots) {
-    if (!mesh.alive(slot)) continue;
-    const Triangle& t = triangleAt(mesh, slot);
-    if (orient2d(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])) <= 0) broken |= kOrientation;
-    for (int i = 0; i < 3; ++i) {
-      const std::int32_t half = 3 * slot + i;
-      if (flipWanted(mesh, half)) broken |= kDelaunay;
-      // Edges between points that the input fixes are as long as the input makes them.
-      const std::int32_t a = startOf(mesh, half), b = endOf(mesh, half);
-      const bool fixed = mesh.kinds[at(a)] <= VertexKind::kept && mesh.kinds[at(b)] <= VertexKind::kept;
-      if (!fixed && squaredDistance(pointOf(mesh, a), pointOf(mesh, b)) < shortest) broken |= kMinimumLength;
-    }
-  }
-  return broken;
 }
 
 bool Watch::step(std::vector<Hit>& hits) {
@@ -53,7 +26,7 @@ bool Watch::step(std::vector<Hit>& hits) {
   if (!advance(state_, Grain::decision, journal) || events_.empty()) return false;
   quality_.update(state_.mesh, changes_.slots);
   sinceInsertion_ = state_.mesh.points.size() > points ? 0 : sinceInsertion_ + 1;
-  const std::uint8_t broken = brokenNow();
+  const std::uint8_t broken = brokenRules(state_, changes_.slots, events_, shortest_);
   for (std::size_t k = 0; k < breakpoints_.size(); ++k) {
     if (!breakpoints_[k].enabled) continue;
     const Condition& condition = breakpoints_[k].condition;
@@ -117,19 +90,23 @@ std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, 
   return std::nullopt;
 }
 
-std::vector<Breakpoint> violationBreakpoints() {
-  constexpr std::string_view texts[] = {
-      "orientation_broken",
-      "delaunay_broken",
-      "edge_below_minimum",
-      "failed",
-      "bound_broken and (stage == refine or finished)",
+std::span<const ViolationRule> violationRules() {
+  static constexpr ViolationRule kRules[] = {
+      {"orientation_broken", "a triangle is turned over"},
+      {"delaunay_broken", "an edge is not Delaunay"},
+      {"boundary_broken", "a boundary edge is gone"},
+      {"balance_broken", "the quadtree is not balanced"},
+      {"area_broken", "the triangles do not fill the domain"},
+      {"edge_below_minimum", "an edge is shorter than Δx"},
+      {"failed", "the method cannot go on"},
+      {"bound_broken and (stage == refine or finished)", "a bound does not hold although the rounds are over"},
   };
+  return kRules;
+}
+
+std::vector<Breakpoint> violationBreakpoints() {
   std::vector<Breakpoint> list;
-  for (const std::string_view text : texts) {
-    Result<Condition> condition = Condition::compile(text);
-    list.push_back({std::move(*condition)});
-  }
+  for (const ViolationRule& rule : violationRules()) list.push_back({std::move(*Condition::compile(rule.condition))});
   return list;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/debug/condition.h"
@@ -42,11 +43,9 @@ class Watch {
   [[nodiscard]] const RunningQuality& quality() const { return quality_; }
 
  private:
-  [[nodiscard]] std::uint8_t brokenNow() const;
-
   MeshState& state_;
   std::span<const Breakpoint> breakpoints_;
-  double shortest_;  // no edge may be shorter: Δx, or the shortest straight piece of the input
+  double shortest_;  // shortestAllowed()
   RunningQuality quality_;
   ChangeLog changes_;
   std::vector<Event> events_;
@@ -64,8 +63,13 @@ std::optional<Hit> continueForward(MeshState& state, std::span<const Breakpoint>
 std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, std::span<const Breakpoint> breakpoints,
                                     const std::atomic<bool>& cancel);
 
-/// The first decision after which a validity rule is broken, or, once steps 1-5 are over, a bound of section 3.
-/// The breakpoints that firstViolation runs with: one per rule, so that Hit::breakpoint names it.
+/// A rule that no run should break: those of validity always, the bounds of section 3 once steps 1-5 are over.
+struct ViolationRule {
+  std::string_view condition;
+  std::string_view words;  // "a triangle is turned over"
+};
+std::span<const ViolationRule> violationRules();
+/// One for each of them, in their order.
 std::vector<Breakpoint> violationBreakpoints();
 
 }  // namespace triscope

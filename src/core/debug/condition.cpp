@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/debug/condition_parser.h"
+#include "core/debug/validity.h"
 #include "core/pipeline.h"
 #include "core/quality/quality.h"
 
@@ -41,6 +42,9 @@ enum class Field : std::uint8_t {
   bound_broken,
   orientation_broken,
   delaunay_broken,
+  boundary_broken,
+  balance_broken,
+  area_broken,
   edge_below_minimum,
   stage,
   event,
@@ -118,6 +122,12 @@ bool flagOf(Field field, const Moment& m) {
       return (m.broken & kOrientation) != 0;
     case Field::delaunay_broken:
       return (m.broken & kDelaunay) != 0;
+    case Field::boundary_broken:
+      return (m.broken & kBoundary) != 0;
+    case Field::balance_broken:
+      return (m.broken & kBalance) != 0;
+    case Field::area_broken:
+      return (m.broken & kArea) != 0;
     case Field::edge_below_minimum:
       return (m.broken & kMinimumLength) != 0;
     default:
@@ -185,6 +195,9 @@ const std::vector<Word>& conditionWords() {
       {"bound_broken", Kind::flag, false, "a bound of the paper's section 3 does not hold"},
       {"orientation_broken", Kind::flag, false, "a triangle that changed is not counter-clockwise"},
       {"delaunay_broken", Kind::flag, false, "an edge of a triangle that changed is not locally Delaunay"},
+      {"boundary_broken", Kind::flag, false, "a boundary edge beside a triangle that changed is not in the mesh"},
+      {"balance_broken", Kind::flag, false, "the density ended with neighbouring cells more than one rank apart"},
+      {"area_broken", Kind::flag, false, "a stage ended with triangles that do not fill the domain"},
       {"edge_below_minimum", Kind::flag, false,
        "an edge of a triangle that changed is shorter than the smallest length"},
       {"stage", Kind::name, true, "the stage, as on the command line: stage == step3"},

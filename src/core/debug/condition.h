@@ -22,11 +22,8 @@ struct Moment {
   const Event& event;
   const RunningQuality& quality;
   std::uint64_t sinceInsertion = 0;  // decisions since the last one that inserted a point
-  std::uint8_t broken = 0;           // bits of Validity, of what this decision changed
+  std::uint8_t broken = 0;           // bits of Validity (validity.h)
 };
-
-/// Validity rules that are checked on what a decision changed.
-enum Validity : std::uint8_t { kOrientation = 1, kDelaunay = 2, kMinimumLength = 4 };
 
 struct Word {
   enum class Kind : std::uint8_t { number, flag, name, id };

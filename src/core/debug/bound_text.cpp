@@ -1,4 +1,4 @@
-#include "cli/bound_text.h"
+#include "core/debug/bound_text.h"
 
 #include <fmt/format.h>
 
