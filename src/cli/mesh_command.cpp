@@ -4,13 +4,14 @@
 #include <numeric>
 #include <optional>
 
-#include "core/debug/bound_text.h"
 #include "cli/carry_on.h"
 #include "cli/commands.h"
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
+#include "core/debug/bound_text.h"
 #include "core/io/atomic_file.h"
 #include "core/io/report.h"
+#include "core/quality/bound_figure.h"
 #include "core/quality/quality.h"
 
 namespace triscope {
@@ -28,10 +29,11 @@ void warnOfUnusualSettings(const Settings& settings) {
 void summarise(const MeshState& state, const Quality& quality, double seconds) {
   fmt::print(stderr, "{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
   if (state.stage > Stage::carve)
-    fmt::print(stderr,
-               ": aspect {:.2f}, area ratio {:.2f}, edge ratio {:.2f}, angles {:.1f} to {:.1f} degrees, {} obtuse",
-               quality.aspectMax, quality.areaRatioMax, quality.edgeRatioMax, quality.minAngle, quality.maxAngle,
-               quality.obtuse);
+    fmt::print(
+        stderr, ": aspect {}, area ratio {}, edge ratio {}, angles {} to {} degrees, {} obtuse",
+        besideBound(quality.aspectMax, Bounds::aspect, 2), besideBound(quality.areaRatioMax, Bounds::areaRatio, 2),
+        besideBound(quality.edgeRatioMax, Bounds::edgeRatio, 2), besideBound(quality.minAngle, Bounds::minAngle, 1),
+        besideBound(quality.maxAngle, Bounds::maxAngle, 1), quality.obtuse);
   fmt::print(stderr, "\n");
   if (state.stage < Stage::refine) return;
   for (const WorstMeasure& worst : worstOf(quality))

@@ -1,4 +1,5 @@
 #include "core/caption.h"
+#include "core/quality/bound_figure.h"
 
 #include <fmt/format.h>
 
@@ -125,8 +126,12 @@ std::string refused(const Event& e) {
 }
 
 std::string movement(const Event& e) {
-  return fmt::format("{}: vertex {} moved by {} to {}: {}.", capitalised(name(e.rule)), e.vertex,
-                     number(distance(e.from, e.at)), place(e.at), describe(e.rule));
+  std::string text = fmt::format("{}: vertex {} moved by {} to {}: {}.", capitalised(name(e.rule)), e.vertex,
+                                 number(distance(e.from, e.at)), place(e.at), describe(e.rule));
+  // Step 6 measures the triangles around it before and after.
+  if (e.stage == Stage::refine && e.limit > 0.0)
+    text += fmt::format(" The worst aspect ratio around it went from {:.4g} to {:.4g}.", e.limit, e.measured);
+  return text;
 }
 
 std::string constraint(const Event& e) {
@@ -252,12 +257,12 @@ std::string summaryOf(const MeshState& state, const Quality& q) {
     return fmt::format("{} comes next: it {}.", stage, infoOf(state.stage).does);
   }
   return fmt::format(
-      "Finished after {} decisions: {} triangles, {} of them obtuse. {} of the paper: aspect {:.2f}, area ratio "
-      "{:.2f}, "
-      "edge ratio {:.2f}, angles from {:.1f}° to {:.1f}°.",
+      "Finished after {} decisions: {} triangles, {} of them obtuse. {} of the paper: aspect {}, area ratio {}, edge "
+      "ratio {}, angles from {}° to {}°.",
       state.tick, q.triangles, q.obtuse == 0 ? std::string("none") : std::to_string(q.obtuse),
-      q.withinBounds() ? "Within all bounds" : "Not within all bounds", q.aspectMax, q.areaRatioMax, q.edgeRatioMax,
-      q.minAngle, q.maxAngle);
+      q.withinBounds() ? "Within all bounds" : "Not within all bounds", besideBound(q.aspectMax, Bounds::aspect, 2),
+      besideBound(q.areaRatioMax, Bounds::areaRatio, 2), besideBound(q.edgeRatioMax, Bounds::edgeRatio, 2),
+      besideBound(q.minAngle, Bounds::minAngle, 1), besideBound(q.maxAngle, Bounds::maxAngle, 1));
 }
 
 }  // namespace triscope

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/quality/bound_figure.h"
 #include "render/boundary_points.h"
 #include "render/number.h"
 #include "render/scene_parts.h"
@@ -183,8 +184,9 @@ void addWorst(const SceneInput& in, std::vector<LegendItem>& legend) {
                                  {"worst edge ratio", in.quality->edgeRatioMax, Bounds::edgeRatio}}};
   for (int i = 0; i < 3; ++i) {
     const Row& row = rows[static_cast<std::size_t>(i)];
-    LegendItem entry = item(Sample::circle, row.label,
-                            fmt::format("{} {} {}", compact(row.value), row.value < row.bound ? "<" : "≥", row.bound));
+    LegendItem entry = item(
+        Sample::circle, row.label,
+        fmt::format("{} {} {}", besideBound(row.value, row.bound, 2), row.value < row.bound ? "<" : "≥", row.bound));
     entry.line = worstStyle(in.theme, i);
     legend.push_back(std::move(entry));
   }

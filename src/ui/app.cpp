@@ -61,7 +61,10 @@ std::string App::start(double monitorScale) {
   return renderer_->start();
 }
 
-bool App::takesKeys() const { return dialogDrawn_ == Dialog::none || frames_ - dialogFrame_ >= kFramesOfOpening; }
+bool App::takesKeys() const {
+  if (ui_.debug.typeSoon > 0) return false;
+  return dialogDrawn_ == Dialog::none || frames_ - dialogFrame_ >= kFramesOfOpening;
+}
 
 void App::onKey(int key, int mods) {
   // While text is typed, keys without Ctrl and those that edit text are not commands; Esc and F1 … F25 always are.
@@ -192,6 +195,7 @@ void App::frame() {
   drawPicture(layout.canvas);
   updateAnswers();
   drawRegions(layout, view(), orders);
+  const SnapshotPtr drawn = shown_;
   for (const Order& order : orders) carryOut(order);
   if (!orders.empty()) followRun();
   finishExport();
@@ -200,7 +204,8 @@ void App::frame() {
     dialogDrawn_ = ui_.dialog;
     dialogFrame_ = frames_;
   }
-  if (stateFile_.wanted()) stateFile_.update(describeWindow(view(), captionNow(view())), frames_);
+  // Where the orders made something newer than what was drawn, the next frame tells of both.
+  if (stateFile_.wanted() && shown_ == drawn) stateFile_.update(describeWindow(view(), captionNow(view())), frames_);
 }
 
 void App::finishFrame(double milliseconds) {
@@ -271,6 +276,8 @@ void App::drawRegions(const Layout& layout, const View& shown, Orders& orders) {
   wantedTab_.clear();
   ui_.sidePanelsShown = layout.left.size.x >= 2.0f;
   drawBottom(layout, shown, orders);
+  const bool typing = ImGui::GetIO().WantTextInput || ui_.debug.bottom != "Breakpoints";
+  ui_.debug.typeSoon = typing ? 0 : std::max(0, ui_.debug.typeSoon - 1);
   drawSplitters(shown, orders, layout);
   drawDialog(shown, orders);
 }

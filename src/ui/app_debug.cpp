@@ -8,6 +8,8 @@
 namespace triscope {
 namespace {
 
+constexpr int kFramesToType = 5;  // until keys go elsewhere again, should the field not take them
+
 /// The place of an element in the mesh is found afterwards, by its id.
 Pick pickOf(Ref ref) {
   Pick pick;
@@ -43,7 +45,9 @@ void App::performDebug(Action action) {
       wantedTab_ = "Why";
       return;
     case Action::breakpoints_panel:
-      return show("Breakpoints");
+      show("Breakpoints");
+      ui_.debug.typeSoon = ui_.debug.bottom == "Breakpoints" ? kFramesToType : 0;
+      return;
     case Action::plots_panel:
       return show("Plots");
     case Action::pin_run:

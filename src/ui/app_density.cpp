@@ -85,10 +85,7 @@ void App::selectRequest(std::optional<std::size_t> index) {
 void App::togglePlacing() {
   DensityUi& density = ui_.density;
   density.placing = !density.placing;
-  if (density.placing)
-    ui_.message = "Click: place a density constraint. Drag one: move it. Del: delete it. Esc: done.";
-  else
-    ui_.message.clear();
+  ui_.message.clear();  // the status bar tells what the mouse does now
 }
 
 }  // namespace triscope

@@ -98,9 +98,7 @@ void drawCaption(const View& view, Orders&) {
       figureOf(info);
   }
   const std::string caption = captionNow(view);
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(caption.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped(caption);
   note(view, "caption");
   if (titled) ImGui::Unindent(view.px(20));
 }

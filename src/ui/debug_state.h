@@ -27,6 +27,7 @@ struct DebugUi {
   double to = 0.0;
   std::vector<Bookmark> bookmarks;  // by tick
   std::string condition;            // being typed
+  int typeSoon = 0;                 // frames that the panel, just opened, has left to give its field the keyboard
   Breakpoint::Action action = Breakpoint::Action::stop;
   std::optional<Error> complaint;  // about what was typed
   PlotOf plot = PlotOf::aspect;

@@ -16,12 +16,6 @@ void closeButton(const View& view, Orders& orders, const char* label) {
   note(view, "dialog.close");
 }
 
-void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-}
-
 /// "file, loop 'name', point 3, at (x, y)".
 std::string placeOf(const Error& error) {
   std::string text = error.file;

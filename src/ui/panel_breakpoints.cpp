@@ -78,6 +78,10 @@ void typed(const View& view, Orders& orders) {
   const float add = ImGui::CalcTextSize("Add").x + ImGui::CalcTextSize("Words").x +
                     4.0f * ImGui::GetStyle().FramePadding.x + view.px(84) + 3.0f * ImGui::GetStyle().ItemSpacing.x;
   ImGui::SetNextItemWidth(std::max(view.px(120), ImGui::GetContentRegionAvail().x - add));
+  if (debug.typeSoon > 0) {
+    ImGui::SetWindowFocus();
+    ImGui::SetKeyboardFocusHere();
+  }
   const bool entered = ImGui::InputTextWithHint("##condition", "aspect > 4 and stage == refine", &edit.text,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
   note(view, "break.condition");

@@ -5,6 +5,7 @@
 #include "core/caption.h"
 #include "core/debug/element_events.h"
 #include "core/density/quadtree.h"
+#include "core/quality/bound_figure.h"
 #include "render/number.h"
 #include "render/star.h"
 #include "ui/density_handles.h"
@@ -17,7 +18,6 @@ namespace {
 
 std::string place(Point p) { return fmt::format("{}, {}", compact(p.x, 5), compact(p.y, 5)); }
 
-std::string degrees(double angle) { return fmt::format("{:.1f}°", angle); }
 
 std::string_view nameOf(VertexKind kind) {
   switch (kind) {
@@ -76,10 +76,10 @@ void inspectTriangle(const View& view, Orders& orders, const MeshState& state, s
   const auto judged = [&](const char* label, const std::string& value, bool good) {
     figure(view, label, value, good ? view.theme().text : bad);
   };
-  judged("aspect ratio R/r", fmt::format("{:.3f}", q.aspect), q.aspect < Bounds::aspect);
-  judged("edge ratio", fmt::format("{:.3f}", q.edgeRatio), q.edgeRatio < Bounds::edgeRatio);
-  judged("smallest angle", degrees(q.minAngle), q.minAngle > Bounds::minAngle);
-  judged("largest angle", degrees(q.maxAngle), q.maxAngle < Bounds::maxAngle);
+  judged("aspect ratio R/r", besideBound(q.aspect, Bounds::aspect, 3), q.aspect < Bounds::aspect);
+  judged("edge ratio", besideBound(q.edgeRatio, Bounds::edgeRatio, 3), q.edgeRatio < Bounds::edgeRatio);
+  judged("smallest angle", besideBound(q.minAngle, Bounds::minAngle, 1) + "°", q.minAngle > Bounds::minAngle);
+  judged("largest angle", besideBound(q.maxAngle, Bounds::maxAngle, 1) + "°", q.maxAngle < Bounds::maxAngle);
   figure(view, "shape", q.obtuse ? "obtuse" : "not obtuse", q.obtuse ? bad : view.theme().text);
   figure(view, "circumradius R", compact(q.circumradius, 4));
   figure(view, "inradius r", compact(q.inradius, 4));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/quality/bound_figure.h"
 #include "render/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -47,14 +48,22 @@ void drawMeshFigures(const View& view, Orders& orders) {
   figure(view, "shortest edge", compact(q.minEdge, 4));
 
   const std::array<Row, 5> rows{{
-      {"aspect ratio", fmt::format("{:.2f}", q.aspectMax), "< 4.31", q.aspectMax < Bounds::aspect,
+      {"aspect ratio", besideBound(q.aspectMax, Bounds::aspect, 2), "< 4.31", q.aspectMax < Bounds::aspect,
        Action::worst_aspect},
-      {"area ratio", fmt::format("{:.2f}", q.areaRatioMax), "< 3", q.areaRatioMax < Bounds::areaRatio,
+      {"area ratio", besideBound(q.areaRatioMax, Bounds::areaRatio, 2), "< 3", q.areaRatioMax < Bounds::areaRatio,
        Action::worst_area},
-      {"edge ratio", fmt::format("{:.2f}", q.edgeRatioMax), "< 2", q.edgeRatioMax < Bounds::edgeRatio,
+      {"edge ratio", besideBound(q.edgeRatioMax, Bounds::edgeRatio, 2), "< 2", q.edgeRatioMax < Bounds::edgeRatio,
        Action::worst_edge},
-      {"smallest angle", fmt::format("{:.1f}°", q.minAngle), "> 30°", q.minAngle > Bounds::minAngle, {}},
-      {"largest angle", fmt::format("{:.1f}°", q.maxAngle), "< 120°", q.maxAngle < Bounds::maxAngle, {}},
+      {"smallest angle",
+       besideBound(q.minAngle, Bounds::minAngle, 1) + "°",
+       "> 30°",
+       q.minAngle > Bounds::minAngle,
+       {}},
+      {"largest angle",
+       besideBound(q.maxAngle, Bounds::maxAngle, 1) + "°",
+       "< 120°",
+       q.maxAngle < Bounds::maxAngle,
+       {}},
   }};
   const bool wide = ImGui::GetContentRegionAvail().x >= view.px(230);  // room for the bounds themselves
   if (!ImGui::BeginTable("bounds", wide ? 4 : 3, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp))

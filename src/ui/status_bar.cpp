@@ -72,7 +72,12 @@ void drawStatusBar(const View& view, Orders&) {
   const float frameAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(frame.c_str()).x;
   Row row{frameAt - view.px(12), view.px(20)};
   const Snapshot* const now = view.now();
-  if (!view.ui.message.empty()) {
+  if (view.ui.message.empty() && view.ui.density.placing) {
+    ImGui::PushStyleColor(ImGuiCol_Text, toImU32(accentOf(view.theme())));
+    row.cut("Click: place a density constraint. Drag one: move it. Del: delete it. Esc: done.");
+    ImGui::PopStyleColor();
+    note(view, "placing");
+  } else if (!view.ui.message.empty()) {
     // What was just said matters most.
     row.cut(view.ui.message);
     note(view, "message");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/edit.h"
+#include "core/quality/bound_figure.h"
 
 namespace triscope {
 namespace {
@@ -131,6 +132,16 @@ TEST(MeshQuality, LeavesOutDeadAndHelperTriangles) {
   EXPECT_EQ(none.triangles, 0u);
   EXPECT_EQ(none.aspectAt, -1);
   EXPECT_EQ(none.vertices, 0u);
+}
+
+TEST(BesideBound, NeverReadsLikeABoundItIsNotOn) {
+  EXPECT_EQ(besideBound(1.74, 2.0, 2), "1.74");
+  EXPECT_EQ(besideBound(1.996, 2.0, 2), "1.996");
+  EXPECT_EQ(besideBound(1.99996, 2.0, 2), "1.99996");
+  EXPECT_EQ(besideBound(2.0, 2.0, 2), "2.00");
+  EXPECT_EQ(besideBound(30.008, 30.0, 1), "30.01");
+  EXPECT_EQ(besideBound(29.9, 30.0, 1), "29.9");
+  EXPECT_EQ(besideBound(1e9, 2.0, 2), "1000000000.00");
 }
 
 }  // namespace
