@@ -86,7 +86,8 @@ class Drawing {
     for (std::size_t j = 0; j < grid_.rows; j += rows)
       label({beside, all.y + all.height - (static_cast<double>(j) + 0.5) * high + 0.36 * kText * s_}, map_.up.labels[j],
             Anchor::right);
-    title({beside, below}, map_.across.title, Anchor::right);
+    const double overhang = 0.5 * std::max(0.0, textWidth(map_.across.labels.front(), kText) * s_ - wide);
+    title({beside - overhang, below}, map_.across.title, Anchor::right);
     title({all.x - labelGutter(map_) * s_, all.y + 0.5 * all.height + 0.36 * kText * s_}, map_.up.title, Anchor::left);
   }
 
@@ -98,9 +99,11 @@ class Drawing {
                    grid_.cells.y + grid_.cells.height - (map_.here->y + 0.5) * high};
     const std::optional<std::size_t> cell = cellAt(grid_, at);
     if (onCell(map_) && cell) {
+      // Half outside of the cell, so that its text stays clear.
       const Rect rect = cellRect(grid_, *cell);
-      outline(canvas_, inset(rect, 1.5 * s_), solid(theme_.background, 5.0 * s_));
-      outline(canvas_, inset(rect, 1.5 * s_), solid(theme_.selection, 3.0 * s_));
+      const double width = std::min(3.0 * s_, 0.2 * std::min(rect.width, rect.height));
+      outline(canvas_, rect, solid(theme_.background, width + 2.0 * s_));
+      outline(canvas_, rect, solid(theme_.selection, width));
       return;
     }
     canvas_.circle(at, 6.0 * s_, solid(theme_.background, 6.0 * s_));

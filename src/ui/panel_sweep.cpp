@@ -22,12 +22,10 @@ constexpr double kNarrow = 860.0;  // a panel where the legend goes below the co
 constexpr double kField = 62.0;
 constexpr const char* kDegree = "\xC2\xB0";
 
-std::string unitOf(std::string_view unit) { return unit == "deg" ? kDegree : ""; }
-
-std::string valueText(SweepFigure figure, double value, int digits = 4) {
-  const std::string number =
-      figure == SweepFigure::obtuse ? grouped(static_cast<std::uint64_t>(value)) : compact(value, digits);
-  return number + unitOf(infoOf(figure).unit);
+/// With as many digits in every cell.
+std::string valueText(SweepFigure figure, double value) {
+  if (figure == SweepFigure::obtuse) return grouped(static_cast<std::uint64_t>(value));
+  return infoOf(figure).unit == "deg" ? fmt::format("{:.2f}\xC2\xB0", value) : fmt::format("{:.3f}", value);
 }
 
 std::string pairText(double omega, double theta) {
@@ -210,11 +208,12 @@ std::string tooltipOf(const SweepTable& table, std::size_t cell, bool outOfDate)
     text += "\nNot run yet.";
   } else {
     const Quality& q = row->quality;
-    text += fmt::format("\nobtuse triangles: {} of {}\nworst aspect {}, area {}, edge {}", grouped(q.obtuse),
-                        grouped(q.triangles), compact(q.aspectMax, 4), compact(q.areaRatioMax, 4),
-                        compact(q.edgeRatioMax, 4));
-    text += fmt::format("\nangles: {0}{2} to {1}{2}\nmean aspect ratio: {3}", compact(q.minAngle, 4),
-                        compact(q.maxAngle, 4), kDegree, compact(q.aspectMean, 4));
+    const auto value = [&q](SweepFigure figure) { return valueText(figure, infoOf(figure).value(q)); };
+    text += fmt::format("\nobtuse triangles: {} of {}\nworst aspect {}, area {}, edge {}\nangles: {} to {}",
+                        value(SweepFigure::obtuse), grouped(q.triangles), value(SweepFigure::aspect),
+                        value(SweepFigure::area_ratio), value(SweepFigure::edge_ratio), value(SweepFigure::min_angle),
+                        value(SweepFigure::max_angle));
+    text += fmt::format("\nmean aspect ratio: {:.3f}", q.aspectMean);
     text += fmt::format("\nmoves made: {}, refused: {}\n{}", grouped(row->moved), grouped(row->refused),
                         q.withinBounds() ? "within all bounds of the paper" : "breaks a bound of the paper");
   }
