@@ -207,7 +207,7 @@ std::optional<std::size_t> cellAt(const HeatGrid& grid, Point at) {
   const Rect& all = grid.cells;
   const double x = (at.x - all.x) / all.width;
   const double y = (at.y - all.y) / all.height;
-  if (!(x >= 0.0 && x < 1.0 && y >= 0.0 && y < 1.0)) return std::nullopt;
+  if (x < 0.0 || x >= 1.0 || y < 0.0 || y >= 1.0) return std::nullopt;
   const auto column = static_cast<std::size_t>(x * static_cast<double>(grid.columns));
   const auto row = static_cast<std::size_t>(y * static_cast<double>(grid.rows));
   return column * grid.rows + (grid.rows - 1 - row);

@@ -56,6 +56,7 @@ std::optional<SweepRow> carryOut(MeshState state, double omega, double theta, co
 std::vector<double> valuesOf(const SweepRange& range) {
   if (range.count <= 1) return {range.from};
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(range.count));
   const double last = range.count - 1;
   for (int k = 0; k < range.count; ++k) values.push_back(asTyped(((last - k) * range.from + k * range.to) / last));
   return values;
@@ -116,6 +117,7 @@ std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& o
     changed.notify_one();
   };
   std::vector<std::thread> pool;
+  pool.reserve(workers);
   for (std::size_t k = 0; k < workers; ++k) pool.emplace_back(work);
   for (std::size_t told = 0;; ++told) {
     std::unique_lock lock(mutex);
