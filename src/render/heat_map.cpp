@@ -68,8 +68,11 @@ class Drawing {
     separate();
     if (!map_.faded && textsFit())
       for (std::size_t k = 0; k < map_.cells.size(); ++k) text(fills[k], map_.cells[k].text);
-    if (!map_.faded)
-      for (std::size_t k = 0; k < map_.cells.size(); ++k) marks(k, fills[k]);
+    if (!map_.faded) {
+      for (std::size_t k = 0; k < map_.cells.size(); ++k)
+        if (map_.best != k) marks(k, fills[k]);
+      if (map_.best) marks(*map_.best, fills[*map_.best]);
+    }
     outline(canvas_, grid_.cells, solid(theme_.cellLine, s_));
   }
 
@@ -150,14 +153,19 @@ class Drawing {
   }
 
   void marks(std::size_t k, const FilledRect& cell) {
-    const double size = std::min({kMark * s_, 0.4 * cell.rect.width, 0.4 * cell.rect.height});
-    const double in = 0.5 * size + 4.0 * s_;
-    const auto mark = [&](double x, Shape shape) {
-      const PlacedMark placed{{x, cell.rect.y + in}, static_cast<float>(size)};
-      canvas_.marks({&placed, 1}, shape, inkOn(cell.fill), {0, 0, 0, 0});
+    const double side = std::min(cell.rect.width, cell.rect.height);
+    const bool inCorner = side >= 2.0 * kMark * s_;  // beside the text; else in the middle
+    const Color ink = inkOn(cell.fill);
+    const auto mark = [&](Shape shape, double size, bool atRight, Color rim) {
+      const double in = 0.5 * size + 4.0 * s_;
+      const Point corner{atRight ? cell.rect.x + cell.rect.width - in : cell.rect.x + in, cell.rect.y + in};
+      const PlacedMark placed{inCorner ? corner : middleOf(cell.rect), static_cast<float>(size)};
+      canvas_.marks({&placed, 1}, shape, ink, rim);
     };
-    if (map_.best == k) mark(cell.rect.x + cell.rect.width - in, Shape::diamond);
-    if (map_.cells[k].crossed) mark(cell.rect.x + in, Shape::cross);
+    constexpr Color kNoRim{0, 0, 0, 0};
+    if (map_.cells[k].crossed) mark(Shape::cross, std::min(kMark * s_, 0.6 * side), false, kNoRim);
+    // There is one: it may be larger than its cell.
+    if (map_.best == k) mark(Shape::diamond, kMark * s_, true, inCorner ? kNoRim : inkOn(ink));
   }
 
   void label(Point at, const std::string& words, Anchor anchor) {

@@ -132,6 +132,12 @@ void controls(const View& view, Orders& orders) {
   if (choice != view.ui.sweep.choice) orders.emplace_back(choice);
 }
 
+/// Whether all meshes made so far break a bound of the paper: then it is said once, and not marked in every cell.
+bool allBreakBounds(const SweepTable& table) {
+  const std::vector<SweepRow> rows = rowsOf(table);
+  return std::none_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.quality.withinBounds(); });
+}
+
 /// What there is to say about the map.
 void remarks(const View& view, const std::string& outOfDate) {
   if (!outOfDate.empty()) {
@@ -145,6 +151,8 @@ void remarks(const View& view, const std::string& outOfDate) {
   if (refines(settings) && !settings.laplacian) muted(view, "The Laplacian filter is off: \xCF\x89 changes nothing.");
   if (refines(settings) && !settings.reduceObtuse)
     muted(view, "The reduction of obtuse angles is off: \xCE\xB8 changes nothing.");
+  const std::optional<SweepTable>& table = view.ui.sweep.shown();
+  if (table && !view.ui.sweep.making && allBreakBounds(*table)) muted(view, "Every mesh breaks a bound of the paper.");
 }
 
 std::vector<std::string> labelsOf(const std::vector<double>& values, const char* unit) {
@@ -165,12 +173,13 @@ HeatMap mapOf(const View& view, const SweepTable& table, bool outOfDate) {
   map.faded = outOfDate;
   map.best = outOfDate || view.ui.sweep.making ? std::nullopt : bestOf(table, figure);
   map.cells.reserve(table.cells.size());
+  const bool allBreak = allBreakBounds(table);
   for (const std::optional<SweepRow>& row : table.cells) {
     HeatCell& cell = map.cells.emplace_back();
     if (!row) continue;
     cell.value = infoOf(figure).value(row->quality);
     cell.text = valueText(figure, *cell.value);
-    cell.crossed = !row->quality.withinBounds();
+    cell.crossed = !allBreak && !row->quality.withinBounds();
   }
   const Settings& settings = view.session.settings();
   const std::optional<double> x = placeAmong(table.omegas, settings.omega);

@@ -141,6 +141,8 @@ TEST(HeatMap, MarksTheBestThePlaceAndWhatIsCrossed) {
   EXPECT_EQ(canvas.circles, 0u);
   const Color chosen = themeOf(ThemeKind::light).selection;
   EXPECT_EQ(std::count(canvas.strokes.begin(), canvas.strokes.end(), chosen), 1) << "round the cell";
+  const Drawn small = drawn(made, {0, 0, 60, 60});
+  EXPECT_EQ(small.shapes, canvas.shapes) << "in small cells too";
   made.here = Point{1.0, 1.5};  // between two cells
   EXPECT_EQ(drawn(made, {0, 0, 400, 200}).circles, 2u);
 }
