@@ -30,9 +30,11 @@ ExitCode runCommand(const SweepCommand& options) {
 
   ProgressLine progress(!options.quiet);
   const std::size_t pairs = omegas->size() * thetas->size();
-  const std::vector<SweepRow> rows = sweep(
-      *state, *omegas, *thetas, options.threads,
-      [&](std::size_t done) { progress.show(fmt::format("step 6 for {} of {} pairs", done, pairs)); }, interruptFlag());
+  std::size_t done = 0;
+  const auto tell = [&](std::size_t, const SweepRow&) {
+    progress.show(fmt::format("step 6 for {} of {} pairs", ++done, pairs));
+  };
+  const std::vector<SweepRow> rows = sweep(*state, *omegas, *thetas, options.threads, tell, interruptFlag());
   progress.clear();
   if (interrupted())
     return fail({.code = ExitCode::cancelled, .message = "stopped by Ctrl+C", .hint = "nothing was written"});

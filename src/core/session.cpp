@@ -45,6 +45,7 @@ bool Session::poll() {
   error_ = std::move(news->error);
   failures_ = news->failures;
   stale_ = news->stale;
+  beforeRefinement_ = std::move(news->beforeRefinement);
   // The worker may have spoken before it heard of the latest change.
   if (news->ordersDone >= settingsOrder_) {
     settings_ = news->settings;

@@ -142,6 +142,9 @@ class Session {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   /// Domain in force, or being loaded; null until the first has been read.
   [[nodiscard]] const std::shared_ptr<const Domain>& domain() const { return domain_; }
+  /// The run at the entry of step 6, once it has come there; null before. Its settings may differ from those in force
+  /// in what has not mattered up to there.
+  [[nodiscard]] const std::shared_ptr<const MeshState>& beforeRefinement() const { return beforeRefinement_; }
   /// Why the last command failed; cleared by the next one that starts.
   [[nodiscard]] const std::optional<Error>& error() const { return error_; }
   /// How many commands have failed so far: tells a new error from one seen before.
@@ -158,6 +161,7 @@ class Session {
   Progress progress_;
   Settings settings_;
   std::shared_ptr<const Domain> domain_;
+  std::shared_ptr<const MeshState> beforeRefinement_;
   std::optional<Error> error_;
   std::uint64_t failures_ = 0;
   bool stale_ = false;

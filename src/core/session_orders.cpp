@@ -124,7 +124,8 @@ void SessionWorker::change(const Settings& settings) {
     history_.changeSettings(settings);
     returnTo(*start.state, start.events);
     last_ = start.last;
-    std::erase_if(checkpoints_, [this](const Checkpoint& c) { return c.state->tick > state_.tick; });
+    // By stage: one that made no decision ends at the tick that it began at.
+    std::erase_if(checkpoints_, [this](const Checkpoint& c) { return c.state->stage > state_.stage; });
     cutRun();
   }
   head({.kind = toEnd ? Goal::Kind::end : Goal::Kind::tick, .tick = tick}, Activity::meshing);

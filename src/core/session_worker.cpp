@@ -246,6 +246,12 @@ std::shared_ptr<const RunRecord> SessionWorker::record() const {
   return record;
 }
 
+std::shared_ptr<const MeshState> SessionWorker::beforeRefinement() const {
+  for (const Checkpoint& c : checkpoints_)
+    if (c.state->stage == Stage::refine) return c.state;
+  return nullptr;
+}
+
 Publication& SessionWorker::outbox() {
   if (!outbox_) outbox_.emplace();
   Publication& news = *outbox_;
@@ -258,6 +264,7 @@ Publication& SessionWorker::outbox() {
   news.progress = progress_;
   news.settings = state_.settings;
   news.domain = state_.domain;
+  news.beforeRefinement = beforeRefinement();
   news.ordersDone = ordersDone_;
   news.error = error_;
   news.failures = failures_;

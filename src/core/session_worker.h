@@ -23,6 +23,7 @@ struct Publication {
   std::vector<Event> freshEvents;                      // … and append these
   std::shared_ptr<const RunRecord> record;             // null when unchanged, as is the next
   std::shared_ptr<const std::vector<PassedHit>> hits;  // by tick
+  std::shared_ptr<const MeshState> beforeRefinement;   // as Session has it, whatever else is new
   std::string notice;
   Progress progress;
   Settings settings;  // in force
@@ -137,6 +138,7 @@ class SessionWorker {
   [[nodiscard]] bool traceLags() const;
   void carryTrace();
   [[nodiscard]] std::shared_ptr<const RunRecord> record() const;
+  [[nodiscard]] std::shared_ptr<const MeshState> beforeRefinement() const;
   void publishState();
   void publishProgress();
   Publication& outbox();

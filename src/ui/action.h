@@ -57,6 +57,9 @@ enum class Action : std::uint8_t {
   pin_run,
   first_difference,
   compare_panel,
+  sweep_panel,
+  run_sweep,
+  save_sweep,
   // View
   fit,
   zoom_in,

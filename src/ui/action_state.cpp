@@ -87,6 +87,9 @@ std::string whyNot(Action action, const View& view) {
       return view.ui.scale() >= 3.0 ? "300 % is the largest." : "";
     case Action::smaller:
       return view.ui.scale() <= 0.75 ? "75 % is the smallest." : "";
+    case Action::run_sweep:
+    case Action::save_sweep:
+      return whyNotSweep(action, view);
     default:
       return whyNotDebug(action, view);
   }
@@ -135,6 +138,8 @@ std::optional<bool> isOn(Action action, const UiState& ui) {
       return ui.pinned;
     case Action::compare_panel:
       return ui.debug.bottom == "Compare";
+    case Action::sweep_panel:
+      return ui.debug.bottom == "Sweep";
     case Action::help:
       return ui.dialog == Dialog::help;
     default:

@@ -51,6 +51,7 @@ App::App(const WindowOptions& options, std::function<void()> wake)
 }
 
 App::~App() {
+  sweep_.cancel();  // it ends while the rest is put away
   closeDocument();
   if (!preferencesPath_.empty() && ui_.look != savedLook_) writePreferences(preferencesPath_, ui_.look);
 }
@@ -93,7 +94,8 @@ bool App::poll() {
   if (news) followInsertion();
   const bool saved = save_.ready();
   followDocument();
-  return news || saved || export_.ready();
+  const bool swept = followSweep();
+  return news || saved || swept || export_.ready();
 }
 
 void App::followRun() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "ui/panels.h"
 #include "ui/pinned_run.h"
 #include "ui/state_file.h"
+#include "ui/sweep_job.h"
 #include "ui/view.h"
 #include "ui/window.h"
 
@@ -123,6 +125,9 @@ class App {
   void togglePinned();
   void unpin();
   void followPinned();
+  void runSweep();
+  bool followSweep();
+  void finishSweep(const Status& outcome);
   void follow(Ref ref);
   void keepInRange();
   void updateAnswers();
@@ -169,6 +174,8 @@ class App {
   OpenDialog openDialog_;
   ExportDialog exportDialog_;
   SaveDialog saveDialog_;
+  SweepJob sweep_;
+  std::chrono::steady_clock::time_point sweepSince_{};
   BackgroundJob export_;
   BackgroundJob save_;
   std::atomic<bool> saveStops_{false};  // the window closes: hashes that are missing are left out

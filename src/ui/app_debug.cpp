@@ -56,6 +56,13 @@ void App::performDebug(Action action) {
       return apply(command::SeekEvent{*pinned_->firstDifference()});
     case Action::compare_panel:
       return show("Compare");
+    case Action::sweep_panel:
+      return show("Sweep");
+    case Action::run_sweep:
+      return runSweep();
+    case Action::save_sweep:
+      exportDialog_.prepare(suggestedPath("-sweep.csv"));
+      return openDialog(Dialog::export_to);
     default:
       return;
   }

@@ -22,6 +22,8 @@ Status writeText(const std::string& path, const std::string& text) {
   return file->commit();
 }
 
+bool isTable(const std::string& path) { return std::filesystem::path(path).extension() == ".csv"; }
+
 bool isPicture(const std::string& path) {
   const std::string extension = std::filesystem::path(path).extension().string();
   return extension == ".svg" || extension == ".png";
@@ -63,7 +65,9 @@ void App::exportTo(const std::string& path) {
   figure.caption = figureCaption(now->state, now->state.stage);
   figure.region = visibleBox(ui_.camera);
   export_.start(
-      [now, path, options, figure]() -> Status {
+      [now, path, options, figure,
+       rows = ui_.sweep.table ? rowsOf(*ui_.sweep.table) : std::vector<SweepRow>()]() -> Status {
+        if (isTable(path)) return writeText(path, csvOf(rows));
         if (isDomain(path)) return writeText(path, now->state.domain->text);
         if (isPicture(path)) return writeFigure(path, now->state, options, figure);
         return writeMesh(path, exportMesh(now->state));

@@ -57,6 +57,8 @@ void App::carryOut(const Order& order) {
       app.ui_.debug.complaint.reset();
     }
     void operator()(const order::AddBreakpoint&) const { app.addBreakpoint(); }
+    void operator()(const SweepChoice& choice) const { app.ui_.sweep.choice = choice; }
+    void operator()(const order::CancelSweep&) const { app.sweep_.cancel(); }
     void operator()(const order::ShowPlot& o) const {
       app.ui_.debug.plot = static_cast<PlotOf>(o.plot);
       app.ui_.debug.histogram = static_cast<Measure>(o.histogram);
@@ -318,6 +320,8 @@ void App::cancel() {
     cancelTuning();
   else if (session_.busy())
     apply(command::Cancel{});
+  else if (ui_.sweep.making)
+    sweep_.cancel();
   else if (ui_.insertion.now)
     ui_.insertion = {};
   else if (ui_.density.placing)

@@ -53,6 +53,7 @@ void App::beginDocument() {
     autosave_.setAside();
   else
     autosave_.forget();
+  sweep_.cancel();
   select({});
   ui_.insertion = {};
   entering_ = {};

@@ -12,7 +12,8 @@ struct Format {
   const char* extension;
   const char* what;
 };
-constexpr std::array<Format, 9> kFormats{{
+constexpr const char* kTable = ".csv";
+constexpr std::array<Format, 10> kFormats{{
     {".msh", "Gmsh 4.1, boundary edges as named groups"},
     {".vtu", "VTK, with the quality of each triangle"},
     {".su2", "SU2, with markers"},
@@ -22,6 +23,7 @@ constexpr std::array<Format, 9> kFormats{{
     {".json", "the domain, with its density constraints"},
     {".svg", "picture of what is in view, as vectors"},
     {".png", "picture of what is in view, as pixels"},
+    {kTable, "the sweep over \xCF\x89 and \xCE\xB8, a line for each pair"},
 }};
 
 const Format* formatOf(const std::string& path) {
@@ -45,10 +47,14 @@ void ExportDialog::draw(const View& view, Orders& orders) {
     ImGui::TextDisabled("%s", format.what);
   }
   const bool entered = pathField(view, "export", path_);
-  const std::string reason =
-      formatOf(path_) == nullptr ? "The name must end in one of the formats above." : whyNot(Action::export_mesh, view);
-  const bool pressed =
-      writeOrClose(view, orders, "export", "Export", reason, "Writes the mesh as it is at this moment.");
+  const Format* const chosen = formatOf(path_);
+  const bool table = chosen != nullptr && chosen->extension == kTable;
+  std::string reason = chosen == nullptr ? "The name must end in one of the formats above."
+                       : table           ? whyNot(Action::save_sweep, view)
+                                         : whyNot(Action::export_mesh, view);
+  const bool pressed = writeOrClose(
+      view, orders, "export", "Export", reason,
+      table ? "Writes the sweep, with the columns of 'triscope sweep'." : "Writes the mesh as it is at this moment.");
   if ((pressed || entered) && reason.empty()) {
     orders.emplace_back(order::CloseDialog{});
     orders.emplace_back(order::ExportTo{path_});

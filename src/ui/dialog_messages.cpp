@@ -102,6 +102,7 @@ void drawHelpDialog(const View& view, Orders& orders) {
       keyTable(view, Menu::file);
       keyTable(view, Menu::edit);
       keyTable(view, Menu::debug);
+      keyTable(view, Menu::compare);
       ImGui::TableNextColumn();
       keyTable(view, Menu::view);
       keyTable(view, Menu::help);

@@ -20,6 +20,7 @@ bool endsGroup(Action action) {
     case Action::next_mark:
     case Action::why:
     case Action::first_difference:
+    case Action::compare_panel:
     case Action::zoom_out:
     case Action::worst_edge:
     case Action::next_fill:

@@ -12,6 +12,7 @@
 #include "render/pick.h"
 #include "render/view_options.h"
 #include "ui/action.h"
+#include "ui/sweep_state.h"
 
 namespace triscope {
 
@@ -102,14 +103,16 @@ struct ShowPlot {
   int plot = 0;       // PlotOf
   int histogram = 0;  // Measure
 };
+struct CancelSweep {};
 }  // namespace order
 
-using Order = std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame,
-                           order::Tune, order::EndTuning, order::SetSpeed, order::ExportTo, order::ShowTab,
-                           order::LayersFollow, order::CloseDialog, order::FollowLink, order::ShowRange,
-                           order::TypeCondition, order::AddBreakpoint, order::ShowPlot, order::EditDensity,
-                           order::NameRequest, order::PlaceRequest, order::MoveRequest, order::SelectRequest,
-                           order::SaveTo, order::WriteNotes, order::NameBookmark, order::DropBookmark, order::Kept>;
+using Order =
+    std::variant<Action, Command, ViewOptions, Camera, Appearance, order::SelectElement, order::Frame, order::Tune,
+                 order::EndTuning, order::SetSpeed, order::ExportTo, order::ShowTab, order::LayersFollow,
+                 order::CloseDialog, order::FollowLink, order::ShowRange, order::TypeCondition, order::AddBreakpoint,
+                 order::ShowPlot, order::EditDensity, order::NameRequest, order::PlaceRequest, order::MoveRequest,
+                 order::SelectRequest, order::SaveTo, order::WriteNotes, order::NameBookmark, order::DropBookmark,
+                 order::Kept, SweepChoice, order::CancelSweep>;
 using Orders = std::vector<Order>;
 
 }  // namespace triscope

@@ -186,8 +186,10 @@ struct Toggle {
   Action action;
   const char* name;  // of the panel
 };
-constexpr std::array<Toggle, 3> kToggles{
-    {{Action::plots_panel, "Plots"}, {Action::breakpoints_panel, "Breakpoints"}, {Action::compare_panel, "Compare"}}};
+constexpr std::array<Toggle, 4> kToggles{{{Action::plots_panel, "Plots"},
+                                          {Action::breakpoints_panel, "Breakpoints"},
+                                          {Action::compare_panel, "Compare"},
+                                          {Action::sweep_panel, "Sweep"}}};
 constexpr double kBetweenToggles = 6.0;
 
 float togglesWidth(const View& view) {
@@ -219,12 +221,15 @@ void drawTimeline(const View& view, Orders& orders) {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = view.px(12);
   const float right = togglesWidth(view);
-  const float left = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x);
-  const float width = std::max(view.px(60), room.x - left - right - 2.0f * gap);
+  const float words = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x) + gap;
+  const float least = view.px(60);
+  // Large letters leave no room for the count, which the caption has too.
+  const float left = room.x - words - right - gap < least ? 0.0f : words;
+  const float width = std::max(least, room.x - left - right - gap);
   ImGui::SetCursorScreenPos({corner.x, corner.y + std::max(0.0f, 0.5f * (room.y - ImGui::GetTextLineHeight()))});
-  label(view);
+  if (left > 0.0f) label(view);
 
-  const Strip strip{{corner.x + left + gap, corner.y + view.px(2)},
+  const Strip strip{{corner.x + left, corner.y + view.px(2)},
                     {width, std::max(1.0f, room.y - view.px(4))},
                     shownRange(view.ui.debug, view.session.record())};
   const bool measures = strip.size.y - view.px(kBand) > view.px(8);

@@ -5,7 +5,7 @@
 namespace triscope {
 
 std::span<const PanelInfo> panels() {
-  static constexpr std::array<PanelInfo, 10> kPanels{{
+  static constexpr std::array<PanelInfo, 11> kPanels{{
       {"Stages", Side::left, drawStages},
       {"Layers", Side::left, drawLayers},
       {"Params", Side::left, drawParams},
@@ -16,6 +16,7 @@ std::span<const PanelInfo> panels() {
       {"Breakpoints", Side::bottom, drawBreakpoints},
       {"Plots", Side::bottom, drawPlots},
       {"Compare", Side::bottom, drawCompare},
+      {"Sweep", Side::bottom, drawSweep},
   }};
   return kPanels;
 }

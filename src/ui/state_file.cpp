@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "core/io/atomic_file.h"
 #include "core/io/json_text.h"
@@ -245,6 +246,33 @@ std::string comparison(const View& view) {
   return out.str();
 }
 
+std::string numbers(const std::vector<double>& values) {
+  std::vector<std::string> items;
+  items.reserve(values.size());
+  for (const double value : values) items.push_back(jsonNumber(value));
+  return list(items);
+}
+
+/// The sweep over ω and θ that is shown, row by row as `triscope sweep` writes it.
+std::string sweepOf(const View& view) {
+  const SweepUi& ui = view.ui.sweep;
+  Object out;
+  out.flag("running", ui.making.has_value())
+      .number("done", static_cast<double>(ui.done))
+      .text("figure", infoOf(ui.choice.figure).name);
+  for (const auto& [key, range] : {std::pair{"omega", ui.choice.omega}, std::pair{"theta", ui.choice.theta}})
+    out.add(key, fmt::format("[{}, {}, {}]", jsonNumber(range.from), jsonNumber(range.to), range.count));
+  if (!ui.shown()) return out.str();
+  const SweepTable& table = *ui.shown();
+  const std::optional<std::size_t> best = bestOf(table, ui.choice.figure);
+  return out.flag("stale", !holdsFor(table, view.session.domain(), view.session.settings()))
+      .add("omegas", numbers(table.omegas))
+      .add("thetas", numbers(table.thetas))
+      .number("best", best ? static_cast<double>(*best) : -1.0)
+      .text("csv", csvOf(rowsOf(table)))
+      .str();
+}
+
 std::string color(Color c) { return fmt::format("[{}, {}, {}]", c.r, c.g, c.b); }
 
 }  // namespace
@@ -287,6 +315,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
       .add("selection", selection(view))
       .add("debug", debugger(view))
       .add("compare", comparison(view))
+      .add("sweep", sweepOf(view))
       .add("document", document(ui.document, ui.debug))
       .add("density", density(view))
       .add("insertion", insertion(view))

@@ -19,6 +19,7 @@
 #include "ui/debug_state.h"
 #include "ui/fonts.h"
 #include "ui/order.h"
+#include "ui/sweep_state.h"
 
 namespace triscope {
 
@@ -93,6 +94,7 @@ struct UiState {
   DensityUi density;
   InsertionUi insertion;
   DebugUi debug;
+  SweepUi sweep;
   bool pinned = false;  // a run A is shown beside this one
   bool exporting = false;
   double frameMs = 0.0;
@@ -127,6 +129,8 @@ struct View {
 std::string whyNot(Action action, const View& view);
 /// The same for the actions of the debugger.
 std::string whyNotDebug(Action action, const View& view);
+/// The same for those of sweeps over ω and θ.
+std::string whyNotSweep(Action action, const View& view);
 /// Whether a switch is on; nothing for actions that are no switches.
 std::optional<bool> isOn(Action action, const UiState& ui);
 

@@ -144,10 +144,16 @@ TEST(Sweep, EveryRowIsTheRunWithThoseSettingsWhateverTheThreads) {
   const std::vector<double> omegas{0.05, 0.25};
   const std::vector<double> thetas{5.0, 7.5, 10.0};
   const std::atomic<bool> cancel{false};
+  std::vector<SweepRow> told(6);
   std::size_t done = 0;
-  const auto rows = sweep(start, omegas, thetas, 3, [&](std::size_t n) { done = n; }, cancel);
+  const auto tell = [&](std::size_t k, const SweepRow& row) {
+    told.at(k) = row;
+    ++done;
+  };
+  const auto rows = sweep(start, omegas, thetas, 3, tell, cancel);
   ASSERT_EQ(rows.size(), 6u);
   EXPECT_EQ(done, 6u);
+  EXPECT_EQ(csvOf(told), csvOf(rows));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Settings settings;
     settings.omega = omegas[k / 3];
@@ -166,6 +172,39 @@ TEST(Sweep, CanBeCancelled) {
   const MeshState start = support::after(frame(), Stage::step5);
   const std::atomic<bool> cancel{true};
   EXPECT_TRUE(sweep(start, {0.1}, {7.0}, 2, {}, cancel).empty());
+}
+
+TEST(Sweep, CancelledOnTheWayTellsOfNoMorePairs) {
+  const MeshState start = support::after(frame(), Stage::step5);
+  std::atomic<bool> cancel{false};
+  std::size_t done = 0;
+  const auto tell = [&](std::size_t, const SweepRow&) {
+    if (++done == 2) cancel = true;
+  };
+  EXPECT_TRUE(sweep(start, valuesOf({0.05, 0.25, 40}), valuesOf({5.0, 10.0, 40}), 2, tell, cancel).empty());
+  EXPECT_LT(done, 1600u);
+}
+
+TEST(Sweep, GoesOnFromAStateOnlyWhereItIsTheSameRun) {
+  const Settings standard;
+  Settings swept;
+  swept.omega = 0.2;
+  swept.theta = 9.0;
+  swept.refinePasses = 3;
+  Settings earlier;
+  earlier.step4AreaRatio = 0.0;
+  for (const Stage stage : {Stage::density, Stage::step2, Stage::step5}) {
+    const MeshState state = support::after(frame(), stage);
+    EXPECT_TRUE(precedesRefinement(state, standard));
+    EXPECT_TRUE(precedesRefinement(state, swept));
+    EXPECT_FALSE(precedesRefinement(state, earlier));
+    EXPECT_FALSE(precedesRefinement(state, support::withoutStep6()));
+  }
+  MeshState begun = support::after(frame(), Stage::step5);
+  Journal nobody;
+  advance(begun, Grain::decision, nobody);
+  EXPECT_FALSE(precedesRefinement(begun, standard));
+  EXPECT_FALSE(precedesRefinement(support::finished(frame()), standard));
 }
 
 }  // namespace

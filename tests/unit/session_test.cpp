@@ -350,6 +350,39 @@ TEST(Session, LoadsADomainWithSettingsAtAPlace) {
   EXPECT_EQ(hashOf(doNow(session, command::Load{domain, settings, std::nullopt}).state), hashOf(expected));
 }
 
+TEST(Session, KnowsTheEntryOfStep6ForAsLongAsItHolds) {
+  const auto domain = square(0.5);
+  Session session;
+  EXPECT_EQ(session.beforeRefinement(), nullptr);
+  doNow(session, command::OpenDomain{domain});
+  const auto entry = session.beforeRefinement();
+  ASSERT_NE(entry, nullptr);
+  EXPECT_EQ(entry->stage, Stage::refine);
+  EXPECT_FALSE(entry->cursor.begun);
+  MeshState again = *entry;
+  Journal nobody;
+  advance(again, Grain::all, nobody);
+  EXPECT_EQ(hashOf(again), hashOf(session.current()->state));
+  // What step 6 alone depends on leaves it, wherever the run stands.
+  Settings settings = session.settings();
+  settings.omega = 0.2;
+  doNow(session, command::Change{settings});
+  EXPECT_EQ(session.beforeRefinement(), entry);
+  doNow(session, command::Restart{});
+  EXPECT_EQ(session.beforeRefinement(), entry);
+  // What matters before makes it another, and none until the run has come there.
+  settings.step4AreaRatio = 0.0;
+  doNow(session, command::Change{settings});
+  EXPECT_EQ(session.beforeRefinement(), nullptr);
+  doNow(session, command::Advance{Grain::all});
+  ASSERT_NE(session.beforeRefinement(), nullptr);
+  EXPECT_NE(session.beforeRefinement(), entry);
+  // Nothing comes to step 6 where it is switched off.
+  settings.laplacian = settings.reduceObtuse = settings.sharedEdge = false;
+  doNow(session, command::Change{settings});
+  EXPECT_EQ(session.beforeRefinement(), nullptr);
+}
+
 TEST(Session, ACancelledLoadKeepsTheDomainFromBefore) {
   const auto before = square(0.5);
   const auto after = square(0.05);

@@ -181,11 +181,15 @@ class Debugger(harness.WindowTest):
             while self.window.settled()["scale"] != scale:
                 self.window.key("ctrl+equal")
             for panel, own in (("", []), ("Plots", ["plots.series", "plots.run", "plots.spread", "plots.bars"]),
-                               ("Breakpoints", ["break.condition", "break.action", "break.words"])):
-                if panel:
-                    self.window.key("ctrl+p" if panel == "Plots" else "ctrl+b")
+                               ("Breakpoints", ["break.condition", "break.action", "break.words"]),
+                               ("Sweep", ["sweep.omega.from", "sweep.omega.to", "sweep.omega.count", "sweep.theta.from",
+                                          "sweep.theta.to", "sweep.theta.count", "run_sweep", "save_sweep", "sweep.map"])):
+                if panel == "Sweep" and scale == 1.0:
+                    self.window.key("shift+h")
+                elif panel:
+                    self.window.key({"Plots": "ctrl+p", "Breakpoints": "ctrl+b", "Sweep": "ctrl+h"}[panel])
                 state = self.window.wait(lambda s: s["debug"]["bottom"] == panel, panel)
-                names = ["canvas", "timeline", "timeline.count", "tab.Plots", "tab.Breakpoints"] + own
+                names = ["canvas", "timeline", "timeline.count", "tab.Plots", "tab.Breakpoints", "tab.Compare", "tab.Sweep"] + own
                 names += ["caption"] if scale == 1.0 or not panel else []
                 state = self.window.wait(lambda s: all(n in s["widgets"] for n in names), names)
                 for i, name in enumerate(names):
@@ -196,7 +200,7 @@ class Debugger(harness.WindowTest):
                         apart = (a[0] + a[2] <= b[0] or b[0] + b[2] <= a[0] or a[1] + a[3] <= b[1] + 1
                                  or b[1] + b[3] <= a[1] + 1)
                         self.assertTrue(apart, (scale, panel, name, other))
-            self.window.key("ctrl+b")
+            self.window.key("ctrl+h")
             self.window.wait(lambda s: s["debug"]["bottom"] == "", "the panel to close")
 
 

@@ -167,12 +167,17 @@ class Complete(unittest.TestCase):
         """The tests above name every action that docs/keys.md has a key for."""
         with open(__file__, encoding="utf-8") as file:
             tests = file.read()
-        for other in ("debugger_test.py", "session_window_test.py", "insertion_test.py", "compare_test.py"):
+        for other in ("debugger_test.py", "session_window_test.py", "insertion_test.py", "compare_test.py",
+                      "sweep_test.py"):
             with open(os.path.join(os.path.dirname(__file__), other), encoding="utf-8") as file:
                 tests += file.read()
-        with open(os.path.join(harness.SOURCE, "src", "ui", "action_table.cpp"), encoding="utf-8") as file:
-            table = file.read()
+        import glob
         import re
+        table = ""
+        for part in glob.glob(os.path.join(harness.SOURCE, "src", "ui", "action_table_*.h")):
+            with open(part, encoding="utf-8") as file:
+                table += file.read()
+        self.assertIn("{Action::quit,", table)
         layers = {"boundary", "boundary_points", "quadtree", "constraints", "fronts", "steiner", "triangulation",
                   "obtuse", "worst", "decision", "labels", "legend"}  # taken from the state file
         for action in re.findall(r'\{Action::(\w+),', table):

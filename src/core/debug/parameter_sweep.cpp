@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <iterator>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "core/io/json_text.h"
@@ -18,8 +18,7 @@ namespace triscope {
 namespace {
 
 constexpr double kMostValues = 1000.0;
-constexpr std::uint64_t kSlice = 4096;  // decisions between two looks at `cancel`
-constexpr auto kPatience = std::chrono::milliseconds(50);
+constexpr std::uint64_t kSlice = 64;  // decisions between two looks at `cancel`
 
 bool readNumber(std::string_view text, double& value) {
   const char* const last = text.data() + text.size();
@@ -40,17 +39,28 @@ Error noRange(std::string_view key, std::string_view text) {
                               kMostValues)};
 }
 
-SweepRow carryOut(MeshState state, double omega, double theta, const std::atomic<bool>& cancel) {
+/// Nothing when it was cancelled.
+std::optional<SweepRow> carryOut(MeshState state, double omega, double theta, const std::atomic<bool>& cancel) {
   state.settings.omega = omega;
   state.settings.theta = theta;
   Journal nobody;
   while (!cancel && advanceUntil(state, Stage::refine, kSlice, nobody)) {
   }
+  if (cancel) return std::nullopt;
   const StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::refine)];
-  return {omega, theta, measure(state.mesh), counts.moved, counts.refused};
+  return SweepRow{omega, theta, measure(state.mesh), counts.moved, counts.refused};
 }
 
 }  // namespace
+
+std::vector<double> valuesOf(const SweepRange& range) {
+  if (range.count <= 1) return {range.from};
+  std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(range.count));
+  const double last = range.count - 1;
+  for (int k = 0; k < range.count; ++k) values.push_back(asTyped(((last - k) * range.from + k * range.to) / last));
+  return values;
+}
 
 Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view text) {
   double from = 0.0;
@@ -68,42 +78,54 @@ Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view tex
   }
   if (count < 1.0 || count > kMostValues || count != std::floor(count)) return noRange(key, text);
   const SettingInfo* const info = findSetting(key);
-  std::vector<double> values;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
-    const auto part = static_cast<double>(k);
-    values.push_back(count == 1.0 ? from : asTyped(((count - 1.0 - part) * from + part * to) / (count - 1.0)));
+  std::vector<double> values = valuesOf({from, to, static_cast<int>(count)});
+  for (const double value : values) {
     Settings settings;
-    if (const Status status = setSetting(settings, *info, values.back()); !status.ok()) return status.error();
+    if (const Status status = setSetting(settings, *info, value); !status.ok()) return status.error();
   }
   return values;
 }
 
+bool precedesRefinement(const MeshState& state, const Settings& settings) {
+  const bool begun = state.stage > Stage::refine || (state.stage == Stage::refine && state.cursor.begun);
+  return !begun && firstAffected(state.settings, settings) >= Stage::refine;
+}
+
 std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& omegas,
                             const std::vector<double>& thetas, unsigned threads,
-                            const std::function<void(std::size_t)>& done, const std::atomic<bool>& cancel) {
+                            const std::function<void(std::size_t, const SweepRow&)>& done,
+                            const std::atomic<bool>& cancel) {
   std::vector<SweepRow> rows(omegas.size() * thetas.size());
+  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
+  const std::size_t workers = std::min<std::size_t>(threads, rows.size());
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::condition_variable changed;
-  std::size_t finished = 0;  // under the mutex
+  std::vector<std::size_t> finished;  // rows, in the order they came; under the mutex, as is the next
+  std::size_t working = workers;
   const auto work = [&] {
-    for (std::size_t k = next++; k < rows.size() && !cancel; k = next++) {
-      rows[k] = carryOut(start, omegas[k / thetas.size()], thetas[k % thetas.size()], cancel);
+    for (std::size_t k = next++; k < rows.size(); k = next++) {
+      const std::optional<SweepRow> row = carryOut(start, omegas[k / thetas.size()], thetas[k % thetas.size()], cancel);
+      if (!row) break;
+      rows[k] = *row;
       const std::lock_guard lock(mutex);
-      ++finished;
+      finished.push_back(k);
       changed.notify_one();
     }
+    const std::lock_guard lock(mutex);
+    --working;
+    changed.notify_one();
   };
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::thread> pool;
-  for (std::size_t k = 0; k < std::min<std::size_t>(threads, rows.size()); ++k) pool.emplace_back(work);
-  for (std::size_t told = 0; told < rows.size() && !cancel;) {
+  pool.reserve(workers);
+  for (std::size_t k = 0; k < workers; ++k) pool.emplace_back(work);
+  for (std::size_t told = 0;; ++told) {
     std::unique_lock lock(mutex);
-    changed.wait_for(lock, kPatience, [&] { return finished > told; });
-    if (finished == told) continue;
-    told = finished;
+    changed.wait(lock, [&] { return finished.size() > told || working == 0; });
+    if (finished.size() == told) break;
+    const std::size_t row = finished[told];
     lock.unlock();
-    if (done) done(told);
+    if (done) done(row, rows[row]);
   }
   for (std::thread& thread : pool) thread.join();
   if (cancel) rows.clear();

@@ -1,0 +1,68 @@
+#include "ui/sweep_job.h"
+
+#include <thread>
+
+#include "core/pipeline.h"
+
+namespace triscope {
+namespace {
+
+constexpr std::uint64_t kSlice = 64;  // decisions between two looks at whether it is cancelled
+
+/// One core is left to the window where there are more than two.
+unsigned threadsBesideWindow() {
+  const unsigned cores = std::thread::hardware_concurrency();
+  return cores > 2 ? cores - 1 : cores;
+}
+
+Error cancelled() { return {.code = ExitCode::cancelled, .message = "the sweep was cancelled"}; }
+
+}  // namespace
+
+void SweepJob::start(Task task, std::function<void()> wake) {
+  cancel_ = false;
+  preparing_ = task.from == nullptr || task.from->stage != Stage::refine;
+  fresh_.clear();
+  std::function<void()> tell = wake;
+  job_.start([this, task = std::move(task), tell = std::move(tell)] { return carryOut(task, tell); }, std::move(wake));
+}
+
+std::vector<SweepJob::Cell> SweepJob::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(fresh_, {});
+}
+
+Status SweepJob::carryOut(const Task& task, const std::function<void()>& wake) {
+  MeshState state;
+  if (task.from != nullptr) {
+    state = *task.from;
+    state.settings = task.settings;
+  } else {
+    Result<MeshState> begun = begin(task.domain, task.settings);
+    if (!begun) return begun.error();
+    state = std::move(*begun);
+  }
+  Journal nobody;
+  while (!cancel_ && advanceUntil(state, Stage::step5, kSlice, nobody)) {
+  }
+  preparing_ = false;
+  if (cancel_) return cancelled();
+  if (state.failed)
+    return Error{.code = ExitCode::unmet,
+                 .message = "the method cannot go on before step 6, so there is nothing to sweep",
+                 .hint = "run to the end to see where it stops, and change the domain or a parameter",
+                 .file = task.domain->file};
+  sweep(
+      state, task.omegas, task.thetas, threadsBesideWindow(),
+      [&](std::size_t cell, const SweepRow& row) {
+        {
+          const std::lock_guard lock(mutex_);
+          fresh_.emplace_back(cell, row);
+        }
+        wake();
+      },
+      cancel_);
+  return cancel_ ? Status(cancelled()) : success();
+}
+
+}  // namespace triscope
