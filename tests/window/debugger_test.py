@@ -185,7 +185,7 @@ class Debugger(harness.WindowTest):
                                ("Sweep", ["sweep.omega.from", "sweep.omega.to", "sweep.omega.count", "sweep.theta.from",
                                           "sweep.theta.to", "sweep.theta.count", "run_sweep", "save_sweep", "sweep.map"])):
                 if panel == "Sweep" and scale == 1.0:
-                    self.window.key("shift+h")
+                    self.window.key("Escape", "shift+h")  # the field of conditions has the keyboard
                 elif panel:
                     self.window.key({"Plots": "ctrl+p", "Breakpoints": "ctrl+b", "Sweep": "ctrl+h"}[panel])
                 state = self.window.wait(lambda s: s["debug"]["bottom"] == panel, panel)
