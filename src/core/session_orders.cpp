@@ -94,15 +94,13 @@ void SessionWorker::change(const Settings& settings) {
   const Stage first = firstAffected(state_.settings, settings);
   // What the first stage needs (Δx, the root of the quadtree) is worked out before it begins.
   const bool derives = first == Stage::constraints;
-  const bool untouched = !derives && (state_.stage < first || (state_.stage == first && !state_.cursor.begun));
+  const bool untouched = !derives && !hasComeTo(state_, first);
   if (first == Stage::finished || untouched) {
     state_.settings = settings;
     if (first != Stage::finished) {
       history_.changeSettings(settings);
       history_.forgetAfter(state_.tick);
-      std::erase_if(checkpoints_, [first](const Checkpoint& c) {
-        return c.state->stage > first || (c.state->stage == first && c.state->cursor.begun);
-      });
+      std::erase_if(checkpoints_, [first](const Checkpoint& c) { return hasComeTo(*c.state, first); });
       cutRun();
     }
     if (!backup_ && goal_.kind == Goal::Kind::none) publishState();
@@ -115,9 +113,8 @@ void SessionWorker::change(const Settings& settings) {
   if (derives) {
     if (!startOver(state_.domain, settings)) return;
   } else {
-    const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(), [first](const Checkpoint& c) {
-      return c.state->stage < first || (c.state->stage == first && !c.state->cursor.begun);
-    });
+    const auto last = std::find_if(checkpoints_.rbegin(), checkpoints_.rend(),
+                                   [first](const Checkpoint& c) { return !hasComeTo(*c.state, first); });
     const Checkpoint& start = *last;  // there is always one: the first stage's
     state_.settings = settings;
     setAsideHistory(start.state->tick);

@@ -141,6 +141,20 @@ TEST(Session, AChangeBeforeTheFirstDecisionDerivesTheLengthsAgain) {
   EXPECT_EQ(hashOf(session.current()->state), hashOf(straightRun(domain, coarser, nullptr)));
 }
 
+TEST(Session, ACapOnTheRoundsHoldsAtTheEntryOfALaterOne) {
+  const auto domain = square(0.25);
+  Session session;
+  doNow(session, command::OpenDomain{domain});
+  doNow(session, command::Restart{});
+  while (session.current()->state.round < 2) doNow(session, command::Advance{Grain::round});
+  ASSERT_EQ(session.current()->state.stage, Stage::step2);
+  ASSERT_FALSE(session.current()->state.cursor.begun);
+  Settings one = session.settings();
+  one.maxRounds = 1;
+  doNow(session, command::Change{one});
+  EXPECT_EQ(hashOf(doNow(session, command::Advance{Grain::all}).state), hashOf(straightRun(domain, one, nullptr)));
+}
+
 TEST(Session, AChangeInTheMiddleStaysAtTheSameDecision) {
   const auto domain = square(0.5);
   Session session;

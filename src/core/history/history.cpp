@@ -24,6 +24,12 @@ std::size_t bytesOf(const MeshState& s) {
          bytesIn(s.cursor.worklist) + bytesIn(s.cursor.next) + bytesIn(s.cursor.points);
 }
 
+bool hasComeTo(const MeshState& state, Stage stage) {
+  const auto comesAgain = [](Stage s) { return s >= Stage::step2 && s <= Stage::repair; };
+  if (comesAgain(stage) && comesAgain(state.stage) && state.round > 1) return true;
+  return state.stage > stage || (state.stage == stage && state.cursor.begun);
+}
+
 History::History(std::size_t budget) : budget_(budget) {}
 
 void History::restart(const MeshState& start) {
@@ -93,10 +99,7 @@ MeshState History::seek(std::uint64_t tick, Journal& journal) const {
 
 std::uint64_t History::changeSettings(const Settings& settings) {
   const Stage affected = firstAffected(keyframes_.front().state.settings, settings);
-  while (keyframes_.size() > 1) {
-    const MeshState& last = keyframes_.back().state;
-    const bool begun = last.stage > affected || (last.stage == affected && last.cursor.begun);
-    if (!begun) break;
+  while (keyframes_.size() > 1 && hasComeTo(keyframes_.back().state, affected)) {
     bytes_ -= keyframes_.back().bytes;
     keyframes_.pop_back();
   }
