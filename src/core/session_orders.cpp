@@ -155,7 +155,7 @@ void SessionWorker::stepBack(Grain grain) {
   const std::uint64_t now = state_.tick;
   if (grain == Grain::decision) return seek(now == 0 ? 0 : now - 1);
   if (grain == Grain::insertion) return seek(recorder_.insertionBefore(now));
-  const StageEntry* const entry = now == 0 ? nullptr : entryAt(recorder_.record(), now - 1);
+  const StageEntry* const entry = entryOfDecision(recorder_.record(), now);
   if (entry == nullptr || entry->tick == 0) return seek(0);
   seekEntry(StageEntry(*entry));
 }

@@ -168,11 +168,12 @@ View App::view() {
           scene_,          fonts_,
           answers_,        renderer_ ? renderer_->texture() : 0,
           legendOnCanvas_, stateFile_.wanted() ? &widgets_ : nullptr,
-          pinned_.get()};
+          pinned_.get(),   stateFile_.wanted() ? &tooltip_ : nullptr};
 }
 
 void App::frame() {
   widgets_.clear();
+  tooltip_.clear();
   for (const bool released : ImGui::GetIO().MouseReleased) ui_.buttonsReleased += released ? 1u : 0u;
   performPressed();
   Orders orders;

@@ -192,6 +192,7 @@ class App {
   std::string preferencesPath_;
   Appearance savedLook_;
   std::vector<WidgetRect> widgets_;
+  std::string tooltip_;
   struct Pressed {
     Action action;
     bool types;  // means something else while text is typed

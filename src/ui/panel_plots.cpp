@@ -8,6 +8,7 @@
 
 #include "core/quality/quality.h"
 #include "render/number.h"
+#include "ui/measured_at.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -195,12 +196,13 @@ void alongRun(const View& view, Orders& orders) {
   note(view, "plots.series");
   tip(view, "What is drawn against the decisions of the run.");
   const RunRecord& record = view.session.record();
-  const QualitySample* const here = view.now() == nullptr ? nullptr : sampleAt(record, view.now()->state.tick);
   const Series& series = kSeries[static_cast<std::size_t>(chosen.plot)];
-  if (here != nullptr && here->triangles > 0) {
+  if (view.now() != nullptr && view.now()->quality.triangles > 0) {
+    const QualitySample here = sampleOf(view.now()->state.tick, view.now()->quality);
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("here %s", compact(series.value(*here), 4).c_str());
+    ImGui::TextDisabled("here %s", compact(series.value(here), 4).c_str());
+    note(view, "plots.here");
   }
   const Frame f = frameHere(view);
   const TickRange range = shownRange(chosen, record);
@@ -237,11 +239,11 @@ void alongRun(const View& view, Orders& orders) {
       tick != view.now()->state.tick)
     orders.emplace_back(command::Seek{tick});
   if (!ImGui::IsItemActive()) {
-    const QualitySample* const sample = sampleAt(record, tick);
-    tip(view, fmt::format("Decision {}{}\nClick to go there.", grouped(tick),
-                          sample == nullptr || sample->triangles == 0
-                              ? ""
-                              : fmt::format(": {} {}", series.name, compact(series.value(*sample), 4))));
+    const std::optional<QualitySample> sample = measuredAt(view, tick);
+    std::string figures;
+    if (sample && sample->triangles > 0)
+      figures = fmt::format(": {} {}{}", series.name, compact(series.value(*sample), 4), sampledBefore(*sample, tick));
+    tip(view, fmt::format("Decision {}{}\nClick to go there.", grouped(tick), figures));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/quality/quality.h"
 #include "render/number.h"
+#include "ui/measured_at.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -132,17 +133,17 @@ void position(const View& view, const Strip& strip) {
 
 void hint(const View& view, const Strip& strip) {
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  const double tick = std::round(strip.tickAt(ImGui::GetIO().MousePos.x));
+  const auto tick = static_cast<std::uint64_t>(std::round(strip.tickAt(ImGui::GetIO().MousePos.x)));
   const RunRecord& record = view.session.record();
-  std::string text = fmt::format("Decision {}", grouped(static_cast<std::uint64_t>(tick)));
-  if (const StageEntry* const entry = entryAt(record, static_cast<std::uint64_t>(tick))) {
+  std::string text = fmt::format("Decision {}", grouped(tick));
+  if (const StageEntry* const entry = entryOfDecision(record, tick)) {
     text += fmt::format(", {}", infoOf(entry->stage).name);
-    if (entry->round > 0) text += fmt::format(" ({})", entry->round);
+    if (entry->round > 0) text += fmt::format(", round {}", entry->round);
   }
-  const QualitySample* const sample = sampleAt(record, static_cast<std::uint64_t>(tick));
-  if (sample != nullptr && sample->triangles > 0)
-    text += fmt::format("\n{} triangles, worst aspect ratio {:.3f}", grouped(sample->triangles),
-                        static_cast<double>(sample->worst[0]));
+  const std::optional<QualitySample> sample = measuredAt(view, tick);
+  if (sample && sample->triangles > 0)
+    text += fmt::format("\n{} triangles, worst aspect ratio {:.3f}{}", grouped(sample->triangles),
+                        static_cast<double>(sample->worst[0]), sampledBefore(*sample, tick));
   tip(view, text + "\nDrag to go there, wheel to zoom, double click for the whole run.");
 }
 

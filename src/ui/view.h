@@ -113,6 +113,7 @@ struct View {
   bool legendOnCanvas = false;                 // it has no place of its own
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
   const PinnedRun* pinned = nullptr;           // run A; null when none is pinned
+  std::string* tooltip = nullptr;              // that shows; null when nobody asks
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
   [[nodiscard]] const Theme& theme() const { return scene.theme; }
   /// Whether what is shown is the state of the insertion's phase: on the way there, it is not.
