@@ -136,6 +136,7 @@ void App::keepInRange() {
 }
 
 void App::updateAnswers() {
+  if (ui_.debug.bottom != "Plots") ui_.options.brush = {};  // a mark goes with the panel that can take it away
   if (session_.stale()) return;
   const std::string& tab = ui_.debug.rightTab;
   if (tab == "Why" || tab == "History") update(answers_.answers, session_, refOf(ui_.selected));

@@ -326,6 +326,8 @@ void App::cancel() {
     ui_.insertion = {};
   else if (ui_.density.placing)
     togglePlacing();
+  else if (ui_.options.brush.on)
+    ui_.options.brush = {};
   else if (ui_.density.request)
     ui_.density.request.reset();
   else if (ui_.selected.selection.kind != Selection::Kind::none)

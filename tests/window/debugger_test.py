@@ -174,6 +174,11 @@ class Debugger(harness.WindowTest):
         self.window.drawn(lambda image: image.colors(left, top, wide, high) != before, "the change to be drawn")
         self.window.click("plots.unmark")
         self.window.wait(lambda s: not s["debug"]["brush"], "the marks to go")
+        for end in ("Escape", "ctrl+p"):
+            self.window.press(x + 3, y + height - 3)
+            self.window.wait(lambda s: s["debug"]["brush"], "the bar to mark its triangles")
+            self.window.key(end)
+            self.window.wait(lambda s: not s["debug"]["brush"], f"{end} to take the marks away")
 
     def test_what_is_hovered_says_of_which_decision_it_is(self):
         """Between two samples: the mesh of the decision itself where the window stands, else the sample's decision."""
