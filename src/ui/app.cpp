@@ -69,7 +69,10 @@ bool App::takesKeys() const {
 
 void App::onKey(int key, int mods) {
   // While text is typed, keys without Ctrl and those that edit text are not commands; Esc and F1 … F25 always are.
-  if (!isModifier(key)) ++ui_.keysPressed;
+  if (!isModifier(key)) {
+    ++ui_.keysPressed;
+    ui_.tipsWait = true;
+  }
   const std::optional<Action> action = actionFor(key, mods);
   if (!action) return;
   const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
@@ -174,6 +177,8 @@ View App::view() {
 void App::frame() {
   widgets_.clear();
   tooltip_.clear();
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  if (moved.x != 0.0f || moved.y != 0.0f) ui_.tipsWait = false;
   for (const bool released : ImGui::GetIO().MouseReleased) ui_.buttonsReleased += released ? 1u : 0u;
   performPressed();
   Orders orders;

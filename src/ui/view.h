@@ -98,6 +98,7 @@ struct UiState {
   bool pinned = false;  // a run A is shown beside this one
   bool exporting = false;
   double frameMs = 0.0;
+  bool tipsWait = false;              // a key was pressed: no tooltip until the mouse moves
   std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
   std::uint64_t buttonsReleased = 0;  // of the mouse
   [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }

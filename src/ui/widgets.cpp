@@ -16,7 +16,7 @@ void note(const View& view, std::string_view name, bool enabled) {
 }
 
 void tip(const View& view, const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (text.empty() || view.ui.tipsWait || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   if (view.tooltip != nullptr) *view.tooltip = text;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(view.px(340));

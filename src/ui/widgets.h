@@ -13,7 +13,7 @@ namespace triscope {
 
 /// Remembers the last item's place under this name.
 void note(const View& view, std::string_view name, bool enabled = true);
-/// Tooltip of the last item, shown for disabled ones too.
+/// Tooltip of the last item, shown for disabled ones too; not while one works by keys.
 void tip(const View& view, const std::string& text);
 
 /// A button for an action, with its icon, or its label where there is none; disabled with the reason as a tooltip.
