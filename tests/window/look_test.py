@@ -7,6 +7,7 @@ import time
 import unittest
 
 import harness
+import xresources
 
 
 class Look(harness.WindowTest):
@@ -119,6 +120,26 @@ class Room(harness.WindowTest):
         window.wait(lambda s: s["widgets"]["canvas"][2] > 1200, "the picture alone")
         window.key("F4")
         window.wait(lambda s: "tab.Why" in s["widgets"], "the column again")
+
+
+class MonitorScale(unittest.TestCase):
+    def test_the_window_fits_on_the_screen(self):
+        """A monitor that asks for 200 % enlarges the window, but not beyond itself."""
+        display = harness.Display(1440, 900)
+        self.addCleanup(display.close)
+        resources = xresources.Resources(display.name, Xft_dpi=192)
+        self.addCleanup(resources.close)
+        window = harness.Window(display)
+        self.addCleanup(window.close)
+        state = window.settled()
+        self.assertEqual(state["scale"], 2.0)
+        geometry = window.xdotool("getwindowgeometry", "--shell", window.id)
+        x, y, width, height = (int(re.search(rf"^{name}=(-?\d+)$", geometry, re.MULTILINE)[1])
+                               for name in ("X", "Y", "WIDTH", "HEIGHT"))
+        self.assertTrue(x >= 0 and y >= 0 and x + width <= 1440 and y + height <= 900, geometry)
+        for name, (left, top, wide, high, _) in state["widgets"].items():
+            if name in ("canvas", "timeline", "tab.Plots", "save_picture", "caption"):
+                self.assertTrue(left >= 0 and top >= 0 and left + wide <= 1440 and top + high <= 900, name)
 
 
 class Idle(harness.WindowTest):
