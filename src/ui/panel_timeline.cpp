@@ -16,6 +16,7 @@ namespace triscope {
 namespace {
 
 constexpr double kLabelWidth = 122.0;  // pixels at 100 %
+constexpr double kNarrowestStrip = 120.0;
 constexpr double kBand = 15.0;
 constexpr double kHighestAspect = 40.0;  // of the strip, on a logarithmic scale from 2
 
@@ -200,6 +201,24 @@ float togglesWidth(const View& view) {
   return width;
 }
 
+constexpr const char* kMenu = "Panels";
+
+float menuWidth() { return ImGui::CalcTextSize(kMenu).x + 2.0f * ImGui::GetStyle().FramePadding.x; }
+
+/// The same in a menu, where the window is narrow beside its letters.
+void menu(const View& view, Orders& orders) {
+  if (ImGui::Button(kMenu)) ImGui::OpenPopup("panels");
+  note(view, "timeline.panels");
+  tip(view, "Panels above the timeline: plots, breakpoints, two runs compared, a sweep.");
+  if (!ImGui::BeginPopup("panels")) return;
+  for (const auto& [action, name] : kToggles) {
+    if (ImGui::MenuItem(name, keysOf(infoOf(action)).c_str(), view.ui.debug.bottom == name))
+      orders.emplace_back(action);
+    note(view, fmt::format("tab.{}", name));
+  }
+  ImGui::EndPopup();
+}
+
 /// Buttons that open and close the panels above the strip.
 void toggles(const View& view, Orders& orders) {
   bool first = true;
@@ -221,14 +240,12 @@ void drawTimeline(const View& view, Orders& orders) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = view.px(12);
-  const float right = togglesWidth(view);
-  const float words = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x) + gap;
-  const float least = view.px(60);
-  // Large letters leave no room for the count, which the caption has too.
-  const float left = room.x - words - right - gap < least ? 0.0f : words;
-  const float width = std::max(least, room.x - left - right - gap);
+  const float left = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x) + gap;
+  const bool narrow = room.x - left - togglesWidth(view) - gap < view.px(kNarrowestStrip);
+  const float right = narrow ? menuWidth() : togglesWidth(view);
+  const float width = std::max(view.px(60), room.x - left - right - gap);
   ImGui::SetCursorScreenPos({corner.x, corner.y + std::max(0.0f, 0.5f * (room.y - ImGui::GetTextLineHeight()))});
-  if (left > 0.0f) label(view);
+  label(view);
 
   const Strip strip{{corner.x + left, corner.y + view.px(2)},
                     {width, std::max(1.0f, room.y - view.px(4))},
@@ -253,7 +270,7 @@ void drawTimeline(const View& view, Orders& orders) {
 
   ImGui::SetCursorScreenPos(
       {corner.x + room.x - right, corner.y + std::max(0.0f, 0.5f * (room.y - ImGui::GetFrameHeight()))});
-  toggles(view, orders);
+  narrow ? menu(view, orders) : toggles(view, orders);
 }
 
 }  // namespace triscope

@@ -38,6 +38,8 @@ class Look(harness.WindowTest):
             # Where the window is low beside its letters, one row of buttons and one column of tabs must do.
             fixed += ["speed", "fit", "save_picture"] if scale <= 2 else []
             fixed += ["tab.Inspect"] if scale <= 1.5 else []
+            fixed += ["timeline", "timeline.count"]
+            fixed += ["tab.Plots", "tab.Breakpoints", "tab.Compare"] if scale <= 2 else ["timeline.panels", "toolbar.more"]
             for name in fixed:
                 x, y, width, height, _ = state["widgets"][name]
                 self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, (scale, name))
@@ -105,6 +107,34 @@ class Stages(harness.WindowTest):
 
 
 class Room(harness.WindowTest):
+    def test_what_has_no_room_is_in_a_menu(self):
+        window = self.window
+        for _ in range(8):
+            window.key("ctrl+equal")
+        window.wait(lambda s: s["scale"] == 3, "the scale")
+        window.settled()
+        window.click("toolbar.more")
+        for name in ("speed", "pin_run", "fit", "worst_aspect", "save_picture"):
+            x, y, width, height = window.widget_box(name)
+            self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, name)
+        window.click("worst_aspect")
+        window.wait(lambda s: s["selection"]["kind"] == "triangle", "the worst triangle")
+        self.assertNotIn("worst_aspect", window.settled()["widgets"])
+        window.click("timeline.panels")
+        window.click("tab.Breakpoints")
+        window.wait(lambda s: s["debug"]["bottom"] == "Breakpoints", "the panel")
+
+    def test_no_button_of_the_breakpoints_is_cut(self):
+        window = self.window
+        for _ in range(4):
+            window.key("ctrl+equal")
+        window.key("ctrl+b")
+        names = ["break.words", "continue_back", "continue_forward", "first_violation"]
+        state = window.wait(lambda s: s["scale"] == 2 and all(n in s["widgets"] for n in names), "the panel")
+        right = 1280 - min(2 * 340, 0.4 * (1280 - 48)) - 36
+        for name in names:
+            self.assertLessEqual(sum(state["widgets"][name][0:3:2]), right, name)
+
     def test_the_picture_keeps_its_share(self):
         """However large everything is, a good part of the width is the picture's, and no panel is lost."""
         window = self.window
