@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/counted.h"
 #include "core/debug/bound_text.h"
 #include "core/domain/read.h"
 #include "core/session_worker.h"
@@ -212,7 +213,8 @@ void SessionWorker::findViolation() {
   const std::optional<Hit> hit = continueForward(probe, rules, passed, interrupt_);
   if (hit) {
     takeHit(*hit, rules);
-    notice_ = fmt::format("Decision {}: {}{}.", hit->tick, violationRules()[hit->breakpoint].words, unmetIn(probe));
+    notice_ =
+        fmt::format("Decision {}: {}{}.", grouped(hit->tick), violationRules()[hit->breakpoint].words, unmetIn(probe));
     return seek(hit->tick);
   }
   rest(interrupt_ ? "The search was stopped."

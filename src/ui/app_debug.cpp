@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/counted.h"
 #include "ui/app.h"
 
 namespace triscope {
@@ -90,7 +91,7 @@ void App::toggleBookmark() {
     return;
   }
   marks.insert(at, {tick, fmt::format("Decision {}", tick)});
-  ui_.message = fmt::format("Bookmark at decision {}. J and Shift+J go to it.", tick);
+  ui_.message = fmt::format("Bookmark at decision {}. J and Shift+J go to it.", grouped(tick));
 }
 
 void App::goToMark(bool after) {

@@ -152,7 +152,7 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   if (!view.session.busy() || p.activity == Activity::playing || p.seconds < 0.25) return;
   const float width = std::min(view.px(420), size.x - view.px(24));
   if (beginFloating(view, "##progress", {corner.x + 0.5f * size.x, corner.y + view.px(16)}, {0.5f, 0.0f}, width)) {
-    std::string text = fmt::format("{}: {} triangles", infoOf(p.stage).name, grouped(p.triangles));
+    std::string text = fmt::format("{}: {}", infoOf(p.stage).name, counted(p.triangles, "triangle", "triangles"));
     if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(std::llround(p.estimated)));
     ImGui::TextUnformatted(text.c_str());
     ImGui::ProgressBar(static_cast<float>(p.fraction), {-view.px(90), 0.0f});

@@ -74,9 +74,10 @@ void bars(const View& view, Orders& orders, const PlotFrame& f, const Histogram&
   if (pressed) brush(view, orders, h, bar);
   const double low = h.low + static_cast<double>(bar) * h.width();
   const bool last = bar + 1 == h.counts.size();
-  tip(view, fmt::format("{} triangles from {} to {}\nClick to mark them in the mesh, again to unmark.",
-                        grouped(h.counts[bar]), compact(low, 4),
-                        compact(last ? std::max(h.most, h.high) : low + h.width(), 4)));
+  tip(view,
+      fmt::format("{} from {} to {}\nClick to mark {} in the mesh, again to unmark.",
+                  counted(h.counts[bar], "triangle", "triangles"), compact(low, 4),
+                  compact(last ? std::max(h.most, h.high) : low + h.width(), 4), h.counts[bar] == 1 ? "it" : "them"));
 }
 
 /// Of `most` counted: 1, 2, 5, 10 and so on at the heights of their square roots, those that have room between 0 and

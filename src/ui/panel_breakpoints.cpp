@@ -129,7 +129,7 @@ void list(const View& view, Orders& orders) {
     tip(view, "Takes this breakpoint away.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const std::string times = met > 0 ? fmt::format("   met {} times", met) : "";
+    const std::string times = met > 0 ? "   met " + counted(static_cast<std::uint64_t>(met), "time", "times") : "";
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted((all[k].condition.text() + times).c_str());
     ImGui::PopTextWrapPos();
@@ -140,7 +140,7 @@ void list(const View& view, Orders& orders) {
 
 void hits(const View& view, Orders& orders) {
   const std::vector<PassedHit>& all = view.session.hits();
-  heading(view, all.empty() ? "Nothing met yet" : fmt::format("Met so far: {}", all.size()).c_str());
+  heading(view, all.empty() ? "Nothing met yet" : fmt::format("Met so far: {}", grouped(all.size())).c_str());
   if (all.empty()) muted(view, "Continue (F5, Shift+F5) lists here where breakpoints were met.");
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(all.size()));

@@ -143,7 +143,7 @@ void hint(const View& view, const Strip& strip) {
   }
   const std::optional<QualitySample> sample = measuredAt(view, tick);
   if (sample && sample->triangles > 0)
-    text += fmt::format("\n{} triangles, worst aspect ratio {:.3f}{}", grouped(sample->triangles),
+    text += fmt::format("\n{}, worst aspect ratio {:.3f}{}", counted(sample->triangles, "triangle", "triangles"),
                         static_cast<double>(sample->worst[0]), sampledBefore(*sample, tick));
   tip(view, text + "\nDrag to go there, wheel to zoom, double click for the whole run.");
 }
