@@ -198,7 +198,7 @@ void App::frame() {
   if (resized && ui_.dialog == Dialog::none) closeMenus();  // they would stay where the place they are about was
   windowSize_ = size;
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
-  legendOnCanvas_ = layout.legend.size.y <= 0.0f;
+  placeLegend(layout);
   followPinned();
   drawPicture(layout.canvas);
   updateAnswers();
@@ -219,6 +219,14 @@ void App::frame() {
 void App::finishFrame(double milliseconds) {
   ui_.frameMs = milliseconds;
   ++frames_;
+}
+
+void App::placeLegend(const Layout& layout) {
+  const ImVec2 needs = legendNeeds(view());
+  const bool elsewhere = needs.y > 0.0f && layout.legend.size.y <= 0.0f;
+  ui_.legendFolded = elsewhere && !legendMayCover(view(), panesOf(layout.canvas, pinned_ != nullptr).live.size);
+  ui_.legendOver = ui_.legendOver && ui_.legendFolded;
+  legendOnCanvas_ = elsewhere && !ui_.legendFolded;
 }
 
 void App::drawPicture(const Region& region) {

@@ -302,7 +302,7 @@ void App::toggle(Action action) {
     case Action::labels:
       return flip(o.labels);
     case Action::legend:
-      return flip(ui_.look.legend);
+      return flip(ui_.legendFolded ? ui_.legendOver : ui_.look.legend);
     case Action::side_panels:
       ui_.sidePanels = !ui_.sidePanelsShown;
       return;

@@ -217,6 +217,7 @@ void drawCanvas(const View& view, Orders& orders) {
     pane(a, view, orders, panes.pinned, "canvas.A");
   }
   pane(view, view, orders, panes.live, "canvas");
+  if (view.ui.legendFolded) drawFoldedLegend(view, orders, panes.live.at, panes.live.size);
   progress(view, orders, panes.live.at, panes.live.size);
   drawKeptOffer(view, orders, whole.at, whole.size);
 }

@@ -98,6 +98,8 @@ struct UiState {
   bool pinned = false;  // a run A is shown beside this one
   bool exporting = false;
   double frameMs = 0.0;
+  bool legendFolded = false;  // it has room neither in the right column nor over the picture: a button stands for it
+  bool legendOver = false;    // folded, but shown over the picture all the same
   bool tipsWait = false;              // a key was pressed: no tooltip until the mouse moves
   std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
   std::uint64_t buttonsReleased = 0;  // of the mouse
@@ -111,7 +113,7 @@ struct View {
   const Fonts& fonts;
   const DebugAnswers& debug;
   unsigned canvasTexture = 0;
-  bool legendOnCanvas = false;                 // it has no place of its own
+  bool legendOnCanvas = false;                 // over the picture
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
   const PinnedRun* pinned = nullptr;           // run A; null when none is pinned
   std::string* tooltip = nullptr;              // that shows; null when nobody asks

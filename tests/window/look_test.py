@@ -124,6 +124,31 @@ class Room(harness.WindowTest):
         window.click("tab.Breakpoints")
         window.wait(lambda s: s["debug"]["bottom"] == "Breakpoints", "the panel")
 
+    def test_the_legend_leaves_the_picture_free(self):
+        """Beside it as long as it fits; where it would cover much of it, a button and its key show it."""
+        window = self.window
+        window.key("ctrl+p")
+        state = window.wait(lambda s: s["debug"]["bottom"] == "Plots" and "legend" in s["widgets"], "the legend")
+        canvas = state["widgets"]["canvas"]
+        self.assertGreaterEqual(state["widgets"]["legend"][0], canvas[0] + canvas[2])
+        window.key("ctrl+p")
+        for _ in range(4):
+            window.key("ctrl+equal")
+        window.wait(lambda s: s["scale"] == 2 and "legend.folded" in s["widgets"], "the button")
+        self.assertFalse(window.settled()["layers"]["legend"])
+        window.move(*window.widget("legend.folded"))
+        window.wait(lambda s: "legend.over" in s["widgets"], "the legend while the mouse is on the button")
+        window.move(5, 700)
+        window.wait(lambda s: "legend.over" not in s["widgets"], "the legend to go")
+        window.key("g")
+        state = window.wait(lambda s: s["layers"]["legend"] and "legend.over" in s["widgets"], "the legend by its key")
+        x, y, width, height, _ = state["widgets"]["legend.over"]
+        self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800)
+        window.key("g")
+        window.wait(lambda s: "legend.over" not in s["widgets"], "the legend to go again")
+        window.click("legend.folded")
+        window.wait(lambda s: s["layers"]["legend"], "the legend by its button")
+
     def test_no_button_of_the_breakpoints_is_cut(self):
         window = self.window
         for _ in range(4):
