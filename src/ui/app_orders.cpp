@@ -362,7 +362,15 @@ void App::frameBox(const Box& box, double marginAt100) {
 }
 
 void App::fit() {
+  const Camera whole = ui_.camera;
+  if (pinned_) {
+    // Headings stand over the two pictures: as much room is left above, unless they are too low for it.
+    const auto above = static_cast<double>(paneHeadingHeight(view(), static_cast<float>(whole.height)));
+    if (above < 0.25 * whole.height) ui_.camera.height -= above;
+  }
   frameBox(scene_.bounds, 24.0);
+  ui_.camera.centre.y += 0.5 * (whole.height - ui_.camera.height) / ui_.camera.scale;
+  ui_.camera.height = whole.height;
   fitted_ = true;
 }
 

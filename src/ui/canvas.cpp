@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/density/quadtree.h"
@@ -136,10 +137,11 @@ void mouse(const View& view, Orders& orders, ImVec2 corner, bool edits) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("canvas menu");
 }
 
-void labels(const View& view, ImVec2 corner) {
+/// `avoid`: rectangles of the canvas that have something on them already.
+void labels(const View& view, ImVec2 corner, std::span<const Rect> avoid) {
   ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
   const double scale = view.ui.scale();
-  for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale)) {
+  for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale, avoid)) {
     const Label& label = *placed.label;
     canvas.text(toPoint(corner) + placed.at, label.text,
                 {static_cast<double>(label.size) * scale, Weight::semibold, label.color, label.halo, Anchor::left});
@@ -195,8 +197,8 @@ void pane(const View& shown, const View& live, Orders& orders, const Region& whe
   note(live, name);
   list.PushClipRect(corner, end, true);
   mouse(live, orders, corner, isLive);
-  labels(shown, corner);
   if (isLive) drawDensityHandles(live, corner);
+  labels(shown, corner, isLive ? densityHandleRects(live) : std::vector<Rect>());
   if (live.pinned != nullptr) otherCursor(live, corner);
   if (shown.legendOnCanvas) overlayLegend(shown, corner, where.size);
   if (live.pinned != nullptr) drawPaneHeading(live, !isLive, corner, where.size);

@@ -264,6 +264,17 @@ TEST(Palette, TextReadsInEveryTheme) {
   EXPECT_NEAR(contrast(rgb(0x000000), rgb(0xFFFFFF)), 21.0, 1e-9);
 }
 
+TEST(Palette, StagesAreSeenInEveryTheme) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::high_contrast}) {
+    const Theme& t = themeOf(kind);
+    for (int k = 0; k < kStageCount; ++k)
+      EXPECT_GE(contrast(stageColor(t, static_cast<Stage>(k)), t.surface), 1.3)
+          << k << " in " << static_cast<int>(kind);
+    EXPECT_GE(contrast(stageColor(t, Stage::finished), t.surface), 4.5);
+    EXPECT_GE(contrast(stageColor(t, Stage::finished), stageColor(t, Stage::refine)), 1.4);
+  }
+}
+
 TEST(Palette, ScalesGrowLighterAllTheWay) {
   for (const Scale scale : {Scale::cividis, Scale::viridis}) {
     double before = 0.0;
