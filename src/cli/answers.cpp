@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/caption.h"
+#include "core/counted.h"
 #include "core/debug/element.h"
 #include "core/debug/life.h"
 #include "core/debug/why.h"
@@ -39,11 +40,13 @@ std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
 std::vector<Line> stateLines(const Recording& recording, const Quality& quality) {
   const MeshState& state = recording.state();
   std::vector<Line> lines{linked(summaryOf(state, quality))};
-  lines.push_back(linked(fmt::format("{} decisions made, {} events recorded.", state.tick, recording.events().size())));
+  lines.push_back(linked(fmt::format("{} made, {} recorded.", counted(state.tick, "decision", "decisions"),
+                                     counted(recording.events().size(), "event", "events"))));
   if (state.round > 0 && state.stage != Stage::finished)
     lines.push_back(linked(fmt::format("{} {}.", state.stage == Stage::refine ? "Pass" : "Round", state.round)));
-  lines.push_back(linked(fmt::format("{} triangles, {} vertices, {} obtuse, {} cells.", quality.triangles,
-                                     quality.vertices, quality.obtuse, state.tree.cells.size())));
+  lines.push_back(linked(fmt::format("{}, {}, {} obtuse, {}.", counted(quality.triangles, "triangle", "triangles"),
+                                     counted(quality.vertices, "vertex", "vertices"), grouped(quality.obtuse),
+                                     counted(state.tree.cells.size(), "cell", "cells"))));
   return lines;
 }
 
@@ -53,7 +56,8 @@ std::vector<Line> eventLines(const Recording& recording, const Print& print) {
   for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
     lines.push_back(lineOf(events, static_cast<std::size_t>(k)));
   if (lines.empty())
-    lines.push_back(linked(fmt::format("Only {} events have been recorded up to here.", events.size())));
+    lines.push_back(
+        linked("Only " + counted(events.size(), "event has", "events have") + " been recorded up to here."));
   return lines;
 }
 

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/counted.h"
 #include "core/pipeline.h"
 
 namespace triscope {
@@ -26,10 +27,6 @@ std::string place(Point p) { return fmt::format("({}, {})", number(p.x), number(
 /// "triangle 5790", or a stand-in where no triangle is named.
 std::string triangle(std::uint32_t id) {
   return id == kNoId ? std::string("the boundary") : fmt::format("triangle {}", id);
-}
-
-std::string count(std::uint64_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
 /// ", triangle 12", or nothing where no other triangle is named.
@@ -65,9 +62,9 @@ std::string reasonOf(const Event& e) {
 /// What the decision did to the triangulation: " 4 triangles gave way to 6."
 std::string effectOf(const Event& e) {
   if (e.createdCount == 0) return {};
-  if (e.removedCount == 0) return fmt::format(" It made {}.", count(e.createdCount, "triangle", "triangles"));
-  return fmt::format(" {} gave way to {}.", capitalised(count(e.removedCount, "triangle", "triangles")),
-                     e.createdCount);
+  if (e.removedCount == 0) return fmt::format(" It made {}.", counted(e.createdCount, "triangle", "triangles"));
+  return fmt::format(" {} gave way to {}.", capitalised(counted(e.removedCount, "triangle", "triangles")),
+                     grouped(e.createdCount));
 }
 
 /// " off vertex 12" for a point of a front.
@@ -177,7 +174,7 @@ std::string captionOf(const Event& e) {
       if (e.round > 0) return fmt::format("{} begins, round {}: it {}.", stage, e.round, infoOf(e.stage).does);
       return fmt::format("{} begins: it {}.", stage, infoOf(e.stage).does);
     case EventKind::stage_finished:
-      if (e.subject > 0) return fmt::format("{} is over after {}.", stage, count(e.subject, "change", "changes"));
+      if (e.subject > 0) return fmt::format("{} is over after {}.", stage, counted(e.subject, "change", "changes"));
       return fmt::format("{} is over{}.", stage, e.stage >= Stage::step1 ? ": it had nothing to change" : "");
     case EventKind::constraint_found:
       return constraint(e);
@@ -214,17 +211,18 @@ std::string captionOf(const Event& e) {
 
 std::string captionOf(const Event& e, const MeshState& state) {
   const std::string stage = capitalised(infoOf(e.stage).name);
-  const std::string triangles = count(state.mesh.liveCount(), "triangle", "triangles");
+  const std::string triangles = counted(state.mesh.liveCount(), "triangle", "triangles");
   switch (e.stage) {
     case Stage::constraints:
-      return fmt::format("{} are done: {} found, Δx = {}.", stage, state.constraints.size(), number(state.minEdge));
+      return fmt::format("{} are done: {} found, Δx = {}.", stage, grouped(state.constraints.size()),
+                         number(state.minEdge));
     case Stage::quadtree:
-      return fmt::format("{} is done: {}.", stage, count(leavesOf(state.tree).cells, "cell", "cells"));
+      return fmt::format("{} is done: {}.", stage, counted(leavesOf(state.tree).cells, "cell", "cells"));
     case Stage::density: {
       const Leaves leaves = leavesOf(state.tree);
-      return fmt::format("{} is done: {}, ranks {}–{}, {:.0f} triangles estimated.", stage,
-                         count(leaves.cells, "cell", "cells"), leaves.lowest, leaves.highest,
-                         std::floor(state.estimatedTriangles));
+      return fmt::format("{} is done: {}, ranks {}–{}, {} estimated.", stage, counted(leaves.cells, "cell", "cells"),
+                         leaves.lowest, leaves.highest,
+                         counted(static_cast<std::uint64_t>(state.estimatedTriangles), "triangle", "triangles"));
     }
     case Stage::boundary:
       return fmt::format(
@@ -234,16 +232,17 @@ std::string captionOf(const Event& e, const MeshState& state) {
       return fmt::format("{} is done: {}, those outside the domain among them.", stage, triangles);
     case Stage::recovery:
       return e.subject == 0 ? fmt::format("{} is done: no boundary edge was missing.", stage)
-                            : fmt::format("{} is done: {} split.", stage, count(e.subject, "edge was", "edges were"));
+                            : fmt::format("{} is done: {} split.", stage, counted(e.subject, "edge was", "edges were"));
     case Stage::carve:
-      return fmt::format("{} is done: {} outside gave way, {} stay.", stage, e.subject, state.mesh.liveCount());
+      return fmt::format("{} is done: {} outside gave way, {} stay.", stage, grouped(e.subject),
+                         grouped(state.mesh.liveCount()));
     case Stage::refine:
-      return fmt::format("{} is done: {} in it, {}.", stage, count(e.subject, "change", "changes"), triangles);
+      return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
     case Stage::finished:
       break;
     default:  // fronts, steps 1 to 5, repair
       if (e.subject == 0) return fmt::format("{} is done: it had nothing to change; {}.", stage, triangles);
-      return fmt::format("{} is done: {} inserted, {}.", stage, count(e.subject, "point", "points"), triangles);
+      return fmt::format("{} is done: {} inserted, {}.", stage, counted(e.subject, "point", "points"), triangles);
   }
   return {};
 }
@@ -257,9 +256,10 @@ std::string summaryOf(const MeshState& state, const Quality& q) {
     return fmt::format("{} comes next: it {}.", stage, infoOf(state.stage).does);
   }
   return fmt::format(
-      "Finished after {} decisions: {} triangles, {} of them obtuse. {} of the paper: aspect {}, area ratio {}, edge "
-      "ratio {}, angles from {}° to {}°.",
-      state.tick, q.triangles, q.obtuse == 0 ? std::string("none") : std::to_string(q.obtuse),
+      "Finished after {}: {}, {} of them obtuse. {} of the paper: aspect {}, area ratio {}, edge ratio {}, angles from "
+      "{}° to {}°.",
+      counted(state.tick, "decision", "decisions"), counted(q.triangles, "triangle", "triangles"),
+      q.obtuse == 0 ? std::string("none") : grouped(q.obtuse),
       q.withinBounds() ? "Within all bounds" : "Not within all bounds", besideBound(q.aspectMax, Bounds::aspect, 2),
       besideBound(q.areaRatioMax, Bounds::areaRatio, 2), besideBound(q.edgeRatioMax, Bounds::edgeRatio, 2),
       besideBound(q.minAngle, Bounds::minAngle, 1), besideBound(q.maxAngle, Bounds::maxAngle, 1));

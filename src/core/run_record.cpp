@@ -4,10 +4,27 @@
 
 namespace triscope {
 
+QualitySample sampleOf(std::uint64_t tick, const Quality& q) {
+  QualitySample sample{tick, static_cast<std::uint32_t>(q.triangles), static_cast<std::uint32_t>(q.obtuse), {}};
+  const auto set = [&sample](Measure measure, double value) {
+    sample.worst[static_cast<std::size_t>(measure)] = static_cast<float>(value);
+  };
+  set(Measure::aspect, q.aspectMax);
+  set(Measure::area_ratio, q.areaRatioMax);
+  set(Measure::edge_ratio, q.edgeRatioMax);
+  set(Measure::min_angle, q.minAngle);
+  set(Measure::max_angle, q.maxAngle);
+  return sample;
+}
+
 const StageEntry* entryAt(const RunRecord& record, std::uint64_t tick) {
   const auto after = std::upper_bound(record.stages.begin(), record.stages.end(), tick,
                                       [](std::uint64_t t, const StageEntry& e) { return t < e.tick; });
   return after == record.stages.begin() ? nullptr : &*(after - 1);
+}
+
+const StageEntry* entryOfDecision(const RunRecord& record, std::uint64_t tick) {
+  return entryAt(record, tick == 0 ? 0 : tick - 1);
 }
 
 const StageEntry* firstEntry(const RunRecord& record, Stage stage) {

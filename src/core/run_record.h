@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/event.h"
+#include "core/quality/quality.h"
 #include "core/quality/running_quality.h"
 #include "core/state.h"
 
@@ -37,6 +38,9 @@ struct QualitySample {
   std::array<float, kMeasureCount> worst{};  // by Measure; 0 (180 for min_angle) while there is no mesh
 };
 
+/// The measures of a mesh in full, as a sample of its tick.
+QualitySample sampleOf(std::uint64_t tick, const Quality& quality);
+
 struct RunRecord {
   std::uint64_t ticks = 0;  // decisions known
   bool complete = false;    // the run is over after them
@@ -46,9 +50,12 @@ struct RunRecord {
 
 /// The last entry whose stage begins at or before a tick; nothing for an empty record.
 const StageEntry* entryAt(const RunRecord& record, std::uint64_t tick);
+/// The entry that a decision was made in, the first being number 1; of 0 decisions the first entry. Where a stage ends
+/// and the next begins at the same tick, `entryAt` names the next.
+const StageEntry* entryOfDecision(const RunRecord& record, std::uint64_t tick);
 /// The first entry into a stage or one after it.
 const StageEntry* firstEntry(const RunRecord& record, Stage stage);
-/// The last sample at or before a tick.
+/// The last sample at or before a tick: its own tick says what it is a measure of.
 const QualitySample* sampleAt(const RunRecord& record, std::uint64_t tick);
 
 class RunRecorder {

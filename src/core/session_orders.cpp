@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/counted.h"
 #include "core/debug/bound_text.h"
 #include "core/domain/read.h"
 #include "core/session_worker.h"
@@ -152,7 +153,7 @@ void SessionWorker::stepBack(Grain grain) {
   const std::uint64_t now = state_.tick;
   if (grain == Grain::decision) return seek(now == 0 ? 0 : now - 1);
   if (grain == Grain::insertion) return seek(recorder_.insertionBefore(now));
-  const StageEntry* const entry = now == 0 ? nullptr : entryAt(recorder_.record(), now - 1);
+  const StageEntry* const entry = entryOfDecision(recorder_.record(), now);
   if (entry == nullptr || entry->tick == 0) return seek(0);
   seekEntry(StageEntry(*entry));
 }
@@ -209,7 +210,8 @@ void SessionWorker::findViolation() {
   const std::optional<Hit> hit = continueForward(probe, rules, passed, interrupt_);
   if (hit) {
     takeHit(*hit, rules);
-    notice_ = fmt::format("Decision {}: {}{}.", hit->tick, violationRules()[hit->breakpoint].words, unmetIn(probe));
+    notice_ =
+        fmt::format("Decision {}: {}{}.", grouped(hit->tick), violationRules()[hit->breakpoint].words, unmetIn(probe));
     return seek(hit->tick);
   }
   rest(interrupt_ ? "The search was stopped."

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/counted.h"
+
 namespace triscope {
 namespace {
 
@@ -186,7 +188,7 @@ void SessionWorker::takeHit(const Hit& hit, std::span<const Breakpoint> breakpoi
   const std::string& condition = met.condition.text();
   if (met.action == Breakpoint::Action::stop) {
     stopped_ = true;
-    notice_ = fmt::format("Stopped at decision {}: {}", hit.tick, condition);
+    notice_ = fmt::format("Stopped at decision {}: {}", grouped(hit.tick), condition);
   }
   if (hits_.size() >= kMostHits) return;
   const auto after = std::upper_bound(hits_.begin(), hits_.end(), hit.tick,

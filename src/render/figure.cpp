@@ -105,23 +105,24 @@ std::string figureCaption(const MeshState& state, Stage stage) {
   const auto leaves = static_cast<std::uint64_t>(
       std::count_if(state.tree.cells.begin(), state.tree.cells.end(), [](const Cell& c) { return c.child < 0; }));
   if (stage <= Stage::quadtree) {
-    return fmt::format("Δx = {}; {} constraints, {}.", compact(state.minEdge), grouped(state.constraints.size()),
-                       leaves == 1 ? "one cell" : grouped(leaves) + " cells");
+    return fmt::format("Δx = {}; {}, {}.", compact(state.minEdge),
+                       counted(state.constraints.size(), "constraint", "constraints"),
+                       counted(leaves, "cell", "cells"));
   }
   if (stage == Stage::density) {
     return state.estimatedTriangles > 0.0
-               ? fmt::format("Δx = {}; {} cells; the table of density ranks estimates {} triangles.",
-                             compact(state.minEdge), grouped(leaves),
-                             grouped(static_cast<std::uint64_t>(state.estimatedTriangles)))
-               : fmt::format("Δx = {}; {} cells.", compact(state.minEdge), grouped(leaves));
+               ? fmt::format("Δx = {}; {}; the table of density ranks estimates {}.", compact(state.minEdge),
+                             counted(leaves, "cell", "cells"),
+                             counted(static_cast<std::uint64_t>(state.estimatedTriangles), "triangle", "triangles"))
+               : fmt::format("Δx = {}; {}.", compact(state.minEdge), counted(leaves, "cell", "cells"));
   }
   if (state.mesh.liveCount() == 0) {
-    return fmt::format("Δx = {}; {} boundary points.", compact(state.minEdge),
-                       grouped(distinctBoundaryPoints(state).size()));
+    return fmt::format("Δx = {}; {}.", compact(state.minEdge),
+                       counted(distinctBoundaryPoints(state).size(), "boundary point", "boundary points"));
   }
   const Quality q = measure(state.mesh);
-  std::string text = fmt::format("Δx = {}; {} vertices, {} triangles", compact(state.minEdge), grouped(q.vertices),
-                                 grouped(q.triangles));
+  std::string text = fmt::format("Δx = {}; {}, {}", compact(state.minEdge), counted(q.vertices, "vertex", "vertices"),
+                                 counted(q.triangles, "triangle", "triangles"));
   if (stage < Stage::step1) return text + ".";
   return text + fmt::format("; angles {}° to {}°, {} obtuse; aspect ratio {}, area ratio {}, edge ratio {} at worst.",
                             compact(q.minAngle), compact(q.maxAngle), grouped(q.obtuse), compact(q.aspectMax),

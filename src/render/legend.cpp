@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/quality/bound_figure.h"
 #include "render/boundary_points.h"
@@ -172,6 +173,19 @@ void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
   }
 }
 
+/// "aspect ratio 2.5 to 2.6", or "aspect ratio ≥ 2.5" where it is open upwards.
+void addBrush(const SceneInput& in, std::size_t brushed, std::vector<LegendItem>& legend) {
+  const Brush& brush = in.options.brush;
+  if (!brush.on || !in.options.triangulation || in.state.mesh.triangles.empty()) return;
+  const std::string what(brush.measure == TriangleFill::aspect ? "aspect ratio" : name(brush.measure));
+  const std::string low = compact(brush.low, 4);
+  const bool open = brush.high == std::numeric_limits<double>::max();
+  legend.push_back(
+      fillItem(in.theme.selection,
+               open ? fmt::format("{} ≥ {}", what, low) : fmt::format("{} {} to {}", what, low, compact(brush.high, 4)),
+               grouped(brushed)));
+}
+
 void addWorst(const SceneInput& in, std::vector<LegendItem>& legend) {
   if (!in.options.worst || in.quality == nullptr || in.quality->triangles == 0) return;
   struct Row {
@@ -207,12 +221,13 @@ void addDecision(const SceneInput& in, std::vector<LegendItem>& legend) {
 
 }  // namespace
 
-std::vector<LegendItem> buildLegend(const SceneInput& in) {
+std::vector<LegendItem> buildLegend(const SceneInput& in, std::size_t brushed) {
   std::vector<LegendItem> legend;
   addCells(in, legend);
   addConstraints(in, legend);
   addPoints(in, legend);
   addFill(in, legend);
+  addBrush(in, brushed, legend);
   addWorst(in, legend);
   addDecision(in, legend);
   return legend;

@@ -21,14 +21,4 @@ std::string compact(double value, int digits) {
   return text == "-0" ? "0" : text;
 }
 
-std::string grouped(std::uint64_t value) {
-  std::string text = std::to_string(value);
-  if (text.size() <= 4) return text;
-  for (std::size_t i = text.size() - 3;; i -= 3) {
-    text.insert(i, "\u2009");
-    if (i <= 3) break;
-  }
-  return text;
-}
-
 }  // namespace triscope

@@ -186,7 +186,7 @@ Color stageColor(const Theme& theme, Stage stage) {
     case Stage::finished:
       break;
   }
-  return mix(theme.background, okabe::green, 0.4);
+  return mix(theme.text, okabe::green, 0.5);  // apart from step 6, and from any background
 }
 
 double contrast(Color a, Color b) {

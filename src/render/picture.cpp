@@ -288,7 +288,8 @@ PictureLayout layoutAround(const Camera& camera, const Scene& scene, const Pictu
   return assemble(m, camera.width, camera.height, options, brokenIntoLines(options.caption, width, kCaptionSize * s));
 }
 
-std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, double scale) {
+std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, double scale,
+                                     std::span<const Rect> avoid) {
   std::vector<PlacedLabel> placed;
   std::vector<Rect> taken;
   for (const Layer& layer : scene.layers) {
@@ -324,17 +325,23 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
                                           {dx - start, down + 2.0 * line},
                                           {-dx - width, dy - 2.0 * line},
                                           {-dx - width, down + 2.0 * line}}};
-      for (const Point& offset : places) {
-        const Point at = anchor + offset;
-        const Rect box{at.x - 2.0, at.y - size, width + 4.0, 1.3 * size};
-        const bool inside =
-            box.x >= 0.0 && box.y >= 0.0 && box.x + box.width <= camera.width && box.y + box.height <= camera.height;
-        if (!inside || std::any_of(taken.begin(), taken.end(), [&](const Rect& r) { return overlap(r, box); }))
-          continue;
-        taken.push_back(box);
-        placed.push_back({&label, at, width});
-        break;
-      }
+      const auto boxOf = [&](const Point& offset) {
+        return Rect{anchor.x + offset.x - 2.0, anchor.y + offset.y - size, width + 4.0, 1.3 * size};
+      };
+      const auto covers = [](const Rect& box, std::span<const Rect> others) {
+        return std::any_of(others.begin(), others.end(), [&](const Rect& r) { return overlap(r, box); });
+      };
+      const auto fits = [&](const Point& offset) {
+        const Rect box = boxOf(offset);
+        return box.x >= 0.0 && box.y >= 0.0 && box.x + box.width <= camera.width &&
+               box.y + box.height <= camera.height && !covers(box, taken);
+      };
+      auto place = std::find_if(places.begin(), places.end(),
+                                [&](const Point& offset) { return fits(offset) && !covers(boxOf(offset), avoid); });
+      if (place == places.end()) place = std::find_if(places.begin(), places.end(), fits);
+      if (place == places.end()) continue;
+      taken.push_back(boxOf(*place));
+      placed.push_back({&label, anchor + *place, width});
     }
   }
   return placed;

@@ -1,6 +1,7 @@
 // Lays a scene out as a picture with title, legend, scale bar and caption, and draws it on a canvas.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "render/camera.h"
@@ -43,6 +44,8 @@ struct PlacedLabel {
   Point at;  // left end of the baseline, pixels of the camera
   double width = 0.0;
 };
-std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, double scale);
+/// `avoid`: what else stands in the picture; a label covers it only where it has no other place.
+std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, double scale,
+                                     std::span<const Rect> avoid = {});
 
 }  // namespace triscope

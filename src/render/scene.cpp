@@ -1,5 +1,6 @@
 #include "render/scene.h"
 
+#include <algorithm>
 #include <bit>
 #include <type_traits>
 
@@ -71,6 +72,13 @@ void dim(Layer& layer) {
     fade(batch.outline);
   }
   for (auto& label : layer.labels) fade(label.color);
+}
+
+std::size_t markedIn(const Layer& mesh, const Theme& theme) {
+  std::size_t marked = 0;
+  for (const TriangleBatch& batch : mesh.triangles)
+    marked += static_cast<std::size_t>(std::count(batch.fills.begin(), batch.fills.end(), theme.selection));
+  return marked;
 }
 
 std::array<std::uint64_t, kLayerCount> layerKeys(const MeshState& state, const ViewOptions& o, const Event* current,
@@ -154,10 +162,11 @@ void updateScene(Scene& scene, const MeshState& state, const ViewOptions& option
     if (layer.key == keys[i]) continue;
     layer = Layer{};
     parts[i](in, layer);
+    if (static_cast<LayerId>(i) == LayerId::mesh) scene.brushed = options.brush.on ? markedIn(layer, scene.theme) : 0;
     if (options.dimmed) dim(layer);
     layer.key = keys[i];
   }
-  scene.legend = detail::buildLegend(in);
+  scene.legend = detail::buildLegend(in, scene.brushed);
 }
 
 Scene buildScene(const MeshState& state, const ViewOptions& options, const Event* current, const Quality* quality) {

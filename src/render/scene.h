@@ -141,6 +141,7 @@ struct LegendItem {
 struct Scene {
   std::array<Layer, kLayerCount> layers;
   std::vector<LegendItem> legend;
+  std::size_t brushed = 0;  // triangles that are marked
   Theme theme;
   Box bounds;    // of the domain
   Point origin;  // middle of the bounds: subtract before converting to float

@@ -113,9 +113,10 @@ void addFills(const SceneInput& in, TriangleBatch& batch, const std::vector<std:
   }
   if (o.brush.on) {
     const std::vector<float> values = measureSlots(in.state, o.brush.measure);
+    const auto low = static_cast<double>(static_cast<float>(o.brush.low));  // the least value is its own bar's end
     for (size_t k = 0; k < slots.size(); ++k) {
       const auto value = static_cast<double>(values[at(slots[k])]);
-      if (value >= o.brush.low && value <= o.brush.high) batch.fills[k] = in.theme.selection;
+      if (value >= low && value <= o.brush.high) batch.fills[k] = in.theme.selection;
     }
   }
 }

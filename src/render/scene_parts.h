@@ -34,7 +34,7 @@ void buildDecision(const SceneInput& in, Layer& layer);
 void buildInsertion(const SceneInput& in, Layer& layer);
 void buildWorst(const SceneInput& in, Layer& layer);
 void buildSelection(const SceneInput& in, Layer& layer);
-std::vector<LegendItem> buildLegend(const SceneInput& in);
+std::vector<LegendItem> buildLegend(const SceneInput& in, std::size_t brushed);
 
 /// How a source of density is drawn: the same in the picture and in the legend.
 struct SourceStyle {

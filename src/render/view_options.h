@@ -20,7 +20,8 @@ struct Selection {
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 
-/// Marks the triangles whose measure lies in [low, high] (a brushed bar of a histogram).
+/// Marks the triangles whose measure lies in [low, high] (a brushed bar of a histogram); the largest double is open
+/// upwards.
 struct Brush {
   bool on = false;
   TriangleFill measure = TriangleFill::aspect;

@@ -125,7 +125,7 @@ std::optional<bool> isOn(Action action, const UiState& ui) {
     case Action::labels:
       return o.labels;
     case Action::legend:
-      return ui.look.legend;
+      return ui.legendFolded ? ui.legendOver : ui.look.legend;
     case Action::side_panels:
       return ui.sidePanelsShown;
     case Action::place_density:

@@ -146,7 +146,7 @@ inline constexpr auto kRunActions = std::to_array<ActionInfo>({
      Menu::run,
      "cancel",
      "Cancel",
-     "Stops what is under way, closes a dialog, or drops the selection; never quits.",
+     "Stops what is under way, closes a dialog, or drops a mark or the selection; never quits.",
      {{{GLFW_KEY_ESCAPE, 0}}}},
     {Action::undo,
      Menu::edit,

@@ -69,7 +69,10 @@ bool App::takesKeys() const {
 
 void App::onKey(int key, int mods) {
   // While text is typed, keys without Ctrl and those that edit text are not commands; Esc and F1 … F25 always are.
-  if (!isModifier(key)) ++ui_.keysPressed;
+  if (!isModifier(key)) {
+    ++ui_.keysPressed;
+    ui_.tipsWait = true;
+  }
   const std::optional<Action> action = actionFor(key, mods);
   if (!action) return;
   const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
@@ -168,11 +171,14 @@ View App::view() {
           scene_,          fonts_,
           answers_,        renderer_ ? renderer_->texture() : 0,
           legendOnCanvas_, stateFile_.wanted() ? &widgets_ : nullptr,
-          pinned_.get()};
+          pinned_.get(),   stateFile_.wanted() ? &tooltip_ : nullptr};
 }
 
 void App::frame() {
   widgets_.clear();
+  tooltip_.clear();
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  if (moved.x != 0.0f || moved.y != 0.0f) ui_.tipsWait = false;
   for (const bool released : ImGui::GetIO().MouseReleased) ui_.buttonsReleased += released ? 1u : 0u;
   performPressed();
   Orders orders;
@@ -192,7 +198,7 @@ void App::frame() {
   if (resized && ui_.dialog == Dialog::none) closeMenus();  // they would stay where the place they are about was
   windowSize_ = size;
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
-  legendOnCanvas_ = layout.legend.size.y <= 0.0f;
+  placeLegend(layout);
   followPinned();
   drawPicture(layout.canvas);
   updateAnswers();
@@ -213,6 +219,14 @@ void App::frame() {
 void App::finishFrame(double milliseconds) {
   ui_.frameMs = milliseconds;
   ++frames_;
+}
+
+void App::placeLegend(const Layout& layout) {
+  const ImVec2 needs = legendNeeds(view());
+  const bool elsewhere = needs.y > 0.0f && layout.legend.size.y <= 0.0f;
+  ui_.legendFolded = elsewhere && !legendMayCover(view(), panesOf(layout.canvas, pinned_ != nullptr).live.size);
+  ui_.legendOver = ui_.legendOver && ui_.legendFolded;
+  legendOnCanvas_ = elsewhere && !ui_.legendFolded;
 }
 
 void App::drawPicture(const Region& region) {

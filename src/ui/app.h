@@ -92,6 +92,7 @@ class App {
   void drawBottom(const Layout& layout, const View& view, Orders& orders);
   void drawSide(const char* name, std::optional<Side> side, const Region& region, const View& view, Orders& orders);
   void drawDialog(const View& view, Orders& orders);
+  void placeLegend(const Layout& layout);
   void drawPicture(const Region& region);
   void followRun();
   void followStage();
@@ -192,6 +193,7 @@ class App {
   std::string preferencesPath_;
   Appearance savedLook_;
   std::vector<WidgetRect> widgets_;
+  std::string tooltip_;
   struct Pressed {
     Action action;
     bool types;  // means something else while text is typed

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/counted.h"
 #include "ui/app.h"
 
 namespace triscope {
@@ -90,7 +91,7 @@ void App::toggleBookmark() {
     return;
   }
   marks.insert(at, {tick, fmt::format("Decision {}", tick)});
-  ui_.message = fmt::format("Bookmark at decision {}. J and Shift+J go to it.", tick);
+  ui_.message = fmt::format("Bookmark at decision {}. J and Shift+J go to it.", grouped(tick));
 }
 
 void App::goToMark(bool after) {
@@ -136,6 +137,7 @@ void App::keepInRange() {
 }
 
 void App::updateAnswers() {
+  if (ui_.debug.bottom != "Plots") ui_.options.brush = {};  // a mark goes with the panel that can take it away
   if (session_.stale()) return;
   const std::string& tab = ui_.debug.rightTab;
   if (tab == "Why" || tab == "History") update(answers_.answers, session_, refOf(ui_.selected));

@@ -302,7 +302,7 @@ void App::toggle(Action action) {
     case Action::labels:
       return flip(o.labels);
     case Action::legend:
-      return flip(ui_.look.legend);
+      return flip(ui_.legendFolded ? ui_.legendOver : ui_.look.legend);
     case Action::side_panels:
       ui_.sidePanels = !ui_.sidePanelsShown;
       return;
@@ -326,6 +326,8 @@ void App::cancel() {
     ui_.insertion = {};
   else if (ui_.density.placing)
     togglePlacing();
+  else if (ui_.options.brush.on)
+    ui_.options.brush = {};
   else if (ui_.density.request)
     ui_.density.request.reset();
   else if (ui_.selected.selection.kind != Selection::Kind::none)
@@ -360,7 +362,15 @@ void App::frameBox(const Box& box, double marginAt100) {
 }
 
 void App::fit() {
+  const Camera whole = ui_.camera;
+  if (pinned_) {
+    // Headings stand over the two pictures: as much room is left above, unless they are too low for it.
+    const auto above = static_cast<double>(paneHeadingHeight(view(), static_cast<float>(whole.height)));
+    if (above < 0.25 * whole.height) ui_.camera.height -= above;
+  }
   frameBox(scene_.bounds, 24.0);
+  ui_.camera.centre.y += 0.5 * (whole.height - ui_.camera.height) / ui_.camera.scale;
+  ui_.camera.height = whole.height;
   fitted_ = true;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "core/density/quadtree.h"
@@ -136,10 +137,11 @@ void mouse(const View& view, Orders& orders, ImVec2 corner, bool edits) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("canvas menu");
 }
 
-void labels(const View& view, ImVec2 corner) {
+/// `avoid`: rectangles of the canvas that have something on them already.
+void labels(const View& view, ImVec2 corner, std::span<const Rect> avoid) {
   ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
   const double scale = view.ui.scale();
-  for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale)) {
+  for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale, avoid)) {
     const Label& label = *placed.label;
     canvas.text(toPoint(corner) + placed.at, label.text,
                 {static_cast<double>(label.size) * scale, Weight::semibold, label.color, label.halo, Anchor::left});
@@ -152,7 +154,7 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   if (!view.session.busy() || p.activity == Activity::playing || p.seconds < 0.25) return;
   const float width = std::min(view.px(420), size.x - view.px(24));
   if (beginFloating(view, "##progress", {corner.x + 0.5f * size.x, corner.y + view.px(16)}, {0.5f, 0.0f}, width)) {
-    std::string text = fmt::format("{}: {} triangles", infoOf(p.stage).name, grouped(p.triangles));
+    std::string text = fmt::format("{}: {}", infoOf(p.stage).name, counted(p.triangles, "triangle", "triangles"));
     if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(std::llround(p.estimated)));
     ImGui::TextUnformatted(text.c_str());
     ImGui::ProgressBar(static_cast<float>(p.fraction), {-view.px(90), 0.0f});
@@ -195,8 +197,8 @@ void pane(const View& shown, const View& live, Orders& orders, const Region& whe
   note(live, name);
   list.PushClipRect(corner, end, true);
   mouse(live, orders, corner, isLive);
-  labels(shown, corner);
   if (isLive) drawDensityHandles(live, corner);
+  labels(shown, corner, isLive ? densityHandleRects(live) : std::vector<Rect>());
   if (live.pinned != nullptr) otherCursor(live, corner);
   if (shown.legendOnCanvas) overlayLegend(shown, corner, where.size);
   if (live.pinned != nullptr) drawPaneHeading(live, !isLive, corner, where.size);
@@ -217,6 +219,7 @@ void drawCanvas(const View& view, Orders& orders) {
     pane(a, view, orders, panes.pinned, "canvas.A");
   }
   pane(view, view, orders, panes.live, "canvas");
+  if (view.ui.legendFolded) drawFoldedLegend(view, orders, panes.live.at, panes.live.size);
   progress(view, orders, panes.live.at, panes.live.size);
   drawKeptOffer(view, orders, whole.at, whole.size);
 }

@@ -100,6 +100,7 @@ void drawCaption(const View& view, Orders&) {
   const std::string caption = captionNow(view);
   wrapped(caption);
   note(view, "caption");
+  if (ImGui::GetItemRectMax().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight()) tip(view, caption);
   if (titled) ImGui::Unindent(view.px(20));
 }
 

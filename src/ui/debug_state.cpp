@@ -51,7 +51,7 @@ void update(Histogram& histogram, const Session& session, Measure measure) {
   const Snapshot* const now = session.current().get();
   if (now == nullptr || (histogram.revision == now->revision && histogram.measure == measure)) return;
   constexpr std::size_t kBars = 48;
-  histogram = {now->revision, measure, 0.0, 0.0, {}};
+  histogram = {now->revision, measure, 0.0, 0.0, 0.0, {}};
   const Mesh& mesh = now->state.mesh;
   std::vector<double> values;
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
@@ -63,6 +63,7 @@ void update(Histogram& histogram, const Session& session, Measure measure) {
   if (values.empty()) return;
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   histogram.low = *least;
+  histogram.most = *most;
   // A few very bad triangles would press all others into one bar: the last bar takes what lies beyond.
   std::vector<double> sorted = values;
   const auto beyond = sorted.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(sorted.size() - 1));

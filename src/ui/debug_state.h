@@ -51,7 +51,8 @@ struct Histogram {
   std::uint64_t revision = 0;
   Measure measure = Measure::aspect;
   double low = 0.0;
-  double high = 0.0;
+  double high = 0.0;  // of the intervals; the last one takes what lies beyond, up to …
+  double most = 0.0;  // … the largest
   std::vector<std::uint32_t> counts;
   [[nodiscard]] double width() const { return (high - low) / static_cast<double>(counts.size()); }
 };

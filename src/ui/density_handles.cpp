@@ -51,6 +51,22 @@ std::string wishOf(const DensityRequest& request) {
   return request.rank > 0 ? fmt::format("rank {}", request.rank) : "h " + compact(request.length, 3);
 }
 
+/// What stands beside a handle, and where on the screen.
+struct HandleLabel {
+  std::string text;
+  ImVec2 lo;
+  ImVec2 size;
+};
+HandleLabel labelOf(const View& view, ImVec2 corner, const DensityRequest& request) {
+  const ImFont& font = *view.fonts.small;
+  HandleLabel label;
+  label.text = request.name.empty() ? wishOf(request) : request.name + ", " + wishOf(request);
+  label.size = font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, label.text.c_str());
+  const ImVec2 at = onScreen(view, corner, handleOf(request));
+  label.lo = {at.x + view.px(kHandle) + view.px(5), at.y - 0.5f * label.size.y};
+  return label;
+}
+
 void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool selected) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = onScreen(view, corner, handleOf(request));
@@ -66,9 +82,7 @@ void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool
   list.AddCircle(at, radius, ink, 0, view.px(2));
   list.AddCircleFilled(at, selected ? radius : view.px(2), ink);
   const ImFont& font = *view.fonts.small;
-  const std::string text = request.name.empty() ? wishOf(request) : request.name + ", " + wishOf(request);
-  const ImVec2 size = font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, text.c_str());
-  const ImVec2 lo{at.x + radius + view.px(5), at.y - 0.5f * size.y};
+  const auto [text, lo, size] = labelOf(view, corner, request);
   list.AddRectFilled({lo.x - view.px(3), lo.y - view.px(1)}, {lo.x + size.x + view.px(3), lo.y + size.y + view.px(1)},
                      (halo & 0x00FFFFFFu) | 0xD8000000u, view.px(3));
   list.AddText(&font, font.FontSize, lo, toImU32(view.theme().text), text.c_str());
@@ -104,6 +118,19 @@ bool densityMouse(const View& view, Orders& orders, ImVec2 corner) {
   if (!places || !clicked || view.now() == nullptr) return false;
   orders.emplace_back(order::PlaceRequest{mouseInWorld(view, corner)});
   return true;
+}
+
+std::vector<Rect> densityHandleRects(const View& view) {
+  std::vector<Rect> rects;
+  if (!shown(view)) return rects;
+  for (const DensityRequest& request : view.session.domain()->density) {
+    if (request.where == DensityRequest::Where::loop) continue;
+    const HandleLabel label = labelOf(view, {0.0f, 0.0f}, request);
+    const double left = toPixel(view.ui.camera, handleOf(request)).x - kHandle * view.ui.scale();
+    rects.push_back({left, static_cast<double>(label.lo.y), static_cast<double>(label.lo.x + label.size.x) - left,
+                     static_cast<double>(label.size.y)});
+  }
+  return rects;
 }
 
 void drawDensityHandles(const View& view, ImVec2 corner) {

@@ -1,6 +1,9 @@
 // Density constraints of the domain over the picture, and the mouse on them.
 #pragma once
 
+#include <vector>
+
+#include "render/canvas.h"
 #include "ui/view.h"
 
 namespace triscope {
@@ -14,6 +17,9 @@ bool densityMouse(const View& view, Orders& orders, ImVec2 corner);
 
 /// The handles, over a picture with this upper left corner.
 void drawDensityHandles(const View& view, ImVec2 corner);
+
+/// What the handles and their labels cover, in pixels of the picture.
+std::vector<Rect> densityHandleRects(const View& view);
 
 /// What the Inspect panel shows of the constraint that is selected.
 void inspectRequest(const View& view, Orders& orders);

@@ -17,9 +17,11 @@ constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
 constexpr double kNarrowestCanvas = 196.0;
 constexpr double kCanvasShare = 0.4;   // of the width, at least: else a side panel gives way
+constexpr float kLegendShare = 0.5f;   // of the right column, at most
 constexpr double kNarrowLeft = 232.0;  // room for its tabs
 constexpr double kNarrowRight = 200.0;
 constexpr double kCaptionText = 1250.0;  // a long caption on one line
+constexpr double kCaptionSides = 44.0;   // its padding and indent
 constexpr double kCaptionLine = 17.0;
 constexpr double kCaptionRest = 44.0;  // its heading and padding
 
@@ -85,14 +87,15 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   const float middle = std::max(1.0f, window.x - left - right - 2 * splitter);
   // In a low window the caption goes under everything, so that it needs few lines.
   const float captionWidth = low ? window.x : middle;
-  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / static_cast<double>(captionWidth)), 2.0, 6.0);
+  const double line = std::max(1.0, static_cast<double>(captionWidth) - kCaptionSides * ui.scale());
+  const double lines = std::clamp(std::ceil(kCaptionText * ui.scale() / line), 2.0, 6.0);
   // A panel in a low window takes the caption's place.
   const float caption =
       low && panel > 0.0f ? 0.0f
                           : std::min(px(kCaptionRest + lines * kCaptionLine), std::floor((low ? 0.4f : 0.5f) * height));
   const float x = left + splitter;
   const float sides = low ? height - caption : height;
-  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= 0.4f * sides;
+  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= kLegendShare * sides;
   const float foot = legendFits ? legend.y : 0.0f;
   return {
       .toolbar = {{0, menu}, {window.x, toolbar}},

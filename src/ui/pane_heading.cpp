@@ -14,6 +14,8 @@
 namespace triscope {
 namespace {
 
+constexpr double kMargin = 8.0;  // pixels at 100 %
+
 /// "ω = 0.05, θ = 5°": the values of this run that the other has differently.
 std::string apart(const View& view, bool pinned) {
   std::string text;
@@ -34,7 +36,15 @@ std::string standing(const Session& session) {
   return text + fmt::format(", decision {}", grouped(state.tick));
 }
 
+/// Whether a picture of this height has room for where its run stands.
+bool hasSecondLine(const View& view, float pane) { return pane > 8.0f * view.fonts.strong->FontSize; }
+
 }  // namespace
+
+float paneHeadingHeight(const View& view, float pane) {
+  const float second = hasSecondLine(view, pane) ? view.fonts.small->FontSize : 0.0f;
+  return view.fonts.strong->FontSize + second + 2.0f * view.px(kMargin);
+}
 
 void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) {
   const std::string name = pinned ? "A" : "B";
@@ -42,7 +52,7 @@ void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) 
   const std::string where = standing(pinned ? view.pinned->session() : view.session);
   const ImFont& strong = *view.fonts.strong;
   const ImFont& small = *view.fonts.small;
-  const float margin = view.px(8);
+  const float margin = view.px(kMargin);
   const float room = size.x - 4.0f * margin;
   const auto width = [](const ImFont& font, const std::string& text) {
     return font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, text.c_str()).x;
@@ -50,7 +60,7 @@ void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) 
   // In a small picture the letter must do.
   std::string title = values.empty() ? name + "  same parameters" : name + "  " + values;
   if (width(strong, title) > room) title = name;
-  const bool second = width(small, where) <= room && size.y > 8.0f * strong.FontSize;
+  const bool second = width(small, where) <= room && hasSecondLine(view, size.y);
   const float wide = second ? std::max(width(strong, title), width(small, where)) : width(strong, title);
   const ImVec2 lo{corner.x + margin, corner.y + margin};
   const ImVec2 hi{lo.x + wide + 2.0f * margin, lo.y + strong.FontSize + (second ? small.FontSize : 0.0f) + margin};

@@ -77,7 +77,9 @@ void typed(const View& view, Orders& orders) {
   order::TypeCondition edit{debug.condition, debug.action};
   const float add = ImGui::CalcTextSize("Add").x + ImGui::CalcTextSize("Words").x +
                     4.0f * ImGui::GetStyle().FramePadding.x + view.px(84) + 3.0f * ImGui::GetStyle().ItemSpacing.x;
-  ImGui::SetNextItemWidth(std::max(view.px(120), ImGui::GetContentRegionAvail().x - add));
+  const float room = ImGui::GetContentRegionAvail().x;
+  const bool oneRow = room - add >= view.px(120);
+  ImGui::SetNextItemWidth(oneRow ? room - add : room);
   if (debug.typeSoon > 0) {
     ImGui::SetWindowFocus();
     ImGui::SetKeyboardFocusHere();
@@ -88,7 +90,7 @@ void typed(const View& view, Orders& orders) {
   if (entered && !edit.text.empty() && !Condition::compile(edit.text)) ImGui::SetKeyboardFocusHere(-1);  // to mend it
   if (!ImGui::IsItemActive())
     tip(view, "A condition: words are compared with numbers or names, and joined by and, or, not. Enter adds it.");
-  ImGui::SameLine();
+  if (oneRow) ImGui::SameLine();
   const bool chosen = chooseAction(view, edit.action, "break.action");
   ImGui::SameLine();
   const bool empty = edit.text.empty();
@@ -127,7 +129,7 @@ void list(const View& view, Orders& orders) {
     tip(view, "Takes this breakpoint away.");
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const std::string times = met > 0 ? fmt::format("   met {} times", met) : "";
+    const std::string times = met > 0 ? "   met " + counted(static_cast<std::uint64_t>(met), "time", "times") : "";
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted((all[k].condition.text() + times).c_str());
     ImGui::PopTextWrapPos();
@@ -138,7 +140,7 @@ void list(const View& view, Orders& orders) {
 
 void hits(const View& view, Orders& orders) {
   const std::vector<PassedHit>& all = view.session.hits();
-  heading(view, all.empty() ? "Nothing met yet" : fmt::format("Met so far: {}", all.size()).c_str());
+  heading(view, all.empty() ? "Nothing met yet" : fmt::format("Met so far: {}", grouped(all.size())).c_str());
   if (all.empty()) muted(view, "Continue (F5, Shift+F5) lists here where breakpoints were met.");
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(all.size()));
@@ -164,10 +166,10 @@ void drawBreakpoints(const View& view, Orders& orders) {
   if (ImGui::BeginChild("list", {width - side - view.px(12), 0.0f})) {
     typed(view, orders);
     actionButton(view, orders, Action::continue_back, Icon::none);
-    ImGui::SameLine();
-    actionButton(view, orders, Action::continue_forward, Icon::none);
-    ImGui::SameLine();
-    actionButton(view, orders, Action::first_violation, Icon::none);
+    for (const Action action : {Action::continue_forward, Action::first_violation}) {
+      besideIfFits(std::string(infoOf(action).label).c_str());
+      actionButton(view, orders, action, Icon::none);
+    }
     list(view, orders);
   }
   ImGui::EndChild();

@@ -7,6 +7,7 @@
 
 #include "core/quality/quality.h"
 #include "render/number.h"
+#include "ui/measured_at.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -15,6 +16,7 @@ namespace triscope {
 namespace {
 
 constexpr double kLabelWidth = 122.0;  // pixels at 100 %
+constexpr double kNarrowestStrip = 120.0;
 constexpr double kBand = 15.0;
 constexpr double kHighestAspect = 40.0;  // of the strip, on a logarithmic scale from 2
 
@@ -132,17 +134,17 @@ void position(const View& view, const Strip& strip) {
 
 void hint(const View& view, const Strip& strip) {
   if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-  const double tick = std::round(strip.tickAt(ImGui::GetIO().MousePos.x));
+  const auto tick = static_cast<std::uint64_t>(std::round(strip.tickAt(ImGui::GetIO().MousePos.x)));
   const RunRecord& record = view.session.record();
-  std::string text = fmt::format("Decision {}", grouped(static_cast<std::uint64_t>(tick)));
-  if (const StageEntry* const entry = entryAt(record, static_cast<std::uint64_t>(tick))) {
+  std::string text = fmt::format("Decision {}", grouped(tick));
+  if (const StageEntry* const entry = entryOfDecision(record, tick)) {
     text += fmt::format(", {}", infoOf(entry->stage).name);
-    if (entry->round > 0) text += fmt::format(" ({})", entry->round);
+    if (entry->round > 0) text += fmt::format(", round {}", entry->round);
   }
-  const QualitySample* const sample = sampleAt(record, static_cast<std::uint64_t>(tick));
-  if (sample != nullptr && sample->triangles > 0)
-    text += fmt::format("\n{} triangles, worst aspect ratio {:.3f}", grouped(sample->triangles),
-                        static_cast<double>(sample->worst[0]));
+  const std::optional<QualitySample> sample = measuredAt(view, tick);
+  if (sample && sample->triangles > 0)
+    text += fmt::format("\n{}, worst aspect ratio {:.3f}{}", counted(sample->triangles, "triangle", "triangles"),
+                        static_cast<double>(sample->worst[0]), sampledBefore(*sample, tick));
   tip(view, text + "\nDrag to go there, wheel to zoom, double click for the whole run.");
 }
 
@@ -199,6 +201,24 @@ float togglesWidth(const View& view) {
   return width;
 }
 
+constexpr const char* kMenu = "Panels";
+
+float menuWidth() { return ImGui::CalcTextSize(kMenu).x + 2.0f * ImGui::GetStyle().FramePadding.x; }
+
+/// The same in a menu, where the window is narrow beside its letters.
+void menu(const View& view, Orders& orders) {
+  if (ImGui::Button(kMenu)) ImGui::OpenPopup("panels");
+  note(view, "timeline.panels");
+  tip(view, "Panels above the timeline: plots, breakpoints, two runs compared, a sweep.");
+  if (!ImGui::BeginPopup("panels")) return;
+  for (const auto& [action, name] : kToggles) {
+    if (ImGui::MenuItem(name, keysOf(infoOf(action)).c_str(), view.ui.debug.bottom == name))
+      orders.emplace_back(action);
+    note(view, fmt::format("tab.{}", name));
+  }
+  ImGui::EndPopup();
+}
+
 /// Buttons that open and close the panels above the strip.
 void toggles(const View& view, Orders& orders) {
   bool first = true;
@@ -220,14 +240,12 @@ void drawTimeline(const View& view, Orders& orders) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = view.px(12);
-  const float right = togglesWidth(view);
-  const float words = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x) + gap;
-  const float least = view.px(60);
-  // Large letters leave no room for the count, which the caption has too.
-  const float left = room.x - words - right - gap < least ? 0.0f : words;
-  const float width = std::max(least, room.x - left - right - gap);
+  const float left = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x) + gap;
+  const bool narrow = room.x - left - togglesWidth(view) - gap < view.px(kNarrowestStrip);
+  const float right = narrow ? menuWidth() : togglesWidth(view);
+  const float width = std::max(view.px(60), room.x - left - right - gap);
   ImGui::SetCursorScreenPos({corner.x, corner.y + std::max(0.0f, 0.5f * (room.y - ImGui::GetTextLineHeight()))});
-  if (left > 0.0f) label(view);
+  label(view);
 
   const Strip strip{{corner.x + left, corner.y + view.px(2)},
                     {width, std::max(1.0f, room.y - view.px(4))},
@@ -252,7 +270,7 @@ void drawTimeline(const View& view, Orders& orders) {
 
   ImGui::SetCursorScreenPos(
       {corner.x + room.x - right, corner.y + std::max(0.0f, 0.5f * (room.y - ImGui::GetFrameHeight()))});
-  toggles(view, orders);
+  narrow ? menu(view, orders) : toggles(view, orders);
 }
 
 }  // namespace triscope

@@ -296,6 +296,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
       .add("settings", settings(view.session.settings()))
       .text("caption", caption)
       .text("message", ui.message)
+      .text("tooltip", view.tooltip != nullptr ? *view.tooltip : "")
       .text("error", ui.error ? describe(*ui.error) : "")
       .text("dialog", word(kDialogs, ui.dialog))
       .text("tab", ui.tab)

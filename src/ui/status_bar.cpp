@@ -85,8 +85,8 @@ void drawStatusBar(const View& view, Orders&) {
   }
   if (now != nullptr) {
     if (now->quality.triangles > 0 && row.room(view.px(300))) bounds(view, now->quality);
-    row.text(
-        fmt::format("{} vertices   {} triangles", grouped(now->quality.vertices), grouped(now->quality.triangles)));
+    row.text(counted(now->quality.vertices, "vertex", "vertices") + "   " +
+             counted(now->quality.triangles, "triangle", "triangles"));
   }
   if (view.ui.cursor)
     row.text(fmt::format("x {}   y {}", compact(view.ui.cursor->x, 5), compact(view.ui.cursor->y, 5)));

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "render/number.h"
 #include "ui/panels.h"
@@ -13,7 +15,6 @@ constexpr double kTight = 3.0;   // pixels at 100 %, between buttons of a group
 constexpr double kApart = 19.0;  // between groups
 constexpr double kSpeedWidth = 150.0;
 constexpr double kPadding = 8.0;
-constexpr double kLowWindow = 380.0;
 
 struct WorstButton {
   Action action;
@@ -22,10 +23,8 @@ struct WorstButton {
 constexpr std::array<WorstButton, 3> kWorst{
     {{Action::worst_aspect, "aspect"}, {Action::worst_area, "area"}, {Action::worst_edge, "edge"}}};
 
-float iconWidth() { return ImGui::GetFrameHeight() * 1.25f; }
-
 float iconsWidth(const View& view, int count) {
-  return static_cast<float>(count) * iconWidth() + static_cast<float>(count - 1) * view.px(kTight);
+  return static_cast<float>(count) * iconButtonWidth(view) + static_cast<float>(count - 1) * view.px(kTight);
 }
 
 void speed(const View& view, Orders& orders) {
@@ -86,7 +85,7 @@ void look(const View& view, Orders& orders) {
 }
 
 float lookWidth(const View& view) {
-  float width = iconWidth() + view.px(3 * kTight) + ImGui::CalcTextSize("Worst").x;
+  float width = iconButtonWidth(view) + view.px(3 * kTight) + ImGui::CalcTextSize("Worst").x;
   for (const WorstButton& button : kWorst)
     width += view.px(kTight) + ImGui::CalcTextSize(button.label).x + 2 * ImGui::GetStyle().FramePadding.x;
   return width;
@@ -125,14 +124,26 @@ std::array<Group, 6> groupsOf(const View& view) {
            {iconsWidth(view, 1), picture}}};
 }
 
-/// In a low window the picture needs the room: what does not fit is in the menus.
-bool oneRow(const View& view) { return ImGui::GetIO().DisplaySize.y < view.px(kLowWindow); }
+/// What has no room in the one row of a low window: a row for each group, in a menu.
+void more(const View& view, Orders& orders, const std::vector<Group>& groups) {
+  if (ImGui::Button("…", {iconButtonWidth(view), 0.0f})) ImGui::OpenPopup("more");
+  note(view, "toolbar.more");
+  tip(view, "Speed, two runs side by side, fit, the worst triangles, and a picture.");
+  ImGui::SetNextWindowPos(ImGui::GetItemRectMax(), ImGuiCond_Always, {1.0f, 0.0f});
+  if (!ImGui::BeginPopup("more")) return;
+  const std::size_t before = orders.size();
+  for (const Group& group : groups) group.draw(view, orders);
+  const bool acted = std::any_of(orders.begin() + static_cast<std::ptrdiff_t>(before), orders.end(),
+                                 [](const Order& order) { return std::holds_alternative<Action>(order); });
+  if (acted) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
 
 }  // namespace
 
 float toolbarHeight(const View& view, float width) {
   const float row = ImGui::GetFrameHeight() + view.px(kPadding);
-  if (oneRow(view)) return row + view.px(kPadding);
+  if (inLowWindow(view)) return row + view.px(kPadding);
   float height = row + view.px(kPadding);
   float x = 0.0f;
   for (const Group& group : groupsOf(view)) {
@@ -146,13 +157,17 @@ float toolbarHeight(const View& view, float width) {
 }
 
 void drawToolbar(const View& view, Orders& orders) {
+  const bool low = inLowWindow(view);
+  const float rest = low ? view.px(kApart) + iconButtonWidth(view) : 0.0f;  // for the button of what is left
   const float width = ImGui::GetContentRegionAvail().x;
   float x = 0.0f;
+  std::vector<Group> left;
   for (const Group& group : groupsOf(view)) {
-    if (x > 0.0f && x + view.px(kApart) + group.width <= width) {
+    if (x > 0.0f && left.empty() && x + view.px(kApart) + group.width <= width - rest) {
       ImGui::SameLine(0.0f, view.px(kApart));
       x += view.px(kApart);
-    } else if (x > 0.0f && oneRow(view)) {
+    } else if (x > 0.0f && low) {
+      left.push_back(group);
       continue;
     } else {
       x = 0.0f;
@@ -160,6 +175,9 @@ void drawToolbar(const View& view, Orders& orders) {
     group.draw(view, orders);
     x += group.width;
   }
+  if (left.empty()) return;
+  ImGui::SameLine(0.0f, view.px(kApart));
+  more(view, orders, left);
 }
 
 }  // namespace triscope

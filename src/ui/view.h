@@ -98,6 +98,9 @@ struct UiState {
   bool pinned = false;  // a run A is shown beside this one
   bool exporting = false;
   double frameMs = 0.0;
+  bool legendFolded = false;  // it has room neither in the right column nor over the picture: a button stands for it
+  bool legendOver = false;    // folded, but shown over the picture all the same
+  bool tipsWait = false;      // a key was pressed: no tooltip until the mouse moves
   std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
   std::uint64_t buttonsReleased = 0;  // of the mouse
   [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }
@@ -110,9 +113,10 @@ struct View {
   const Fonts& fonts;
   const DebugAnswers& debug;
   unsigned canvasTexture = 0;
-  bool legendOnCanvas = false;                 // it has no place of its own
+  bool legendOnCanvas = false;                 // over the picture
   std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
   const PinnedRun* pinned = nullptr;           // run A; null when none is pinned
+  std::string* tooltip = nullptr;              // that shows; null when nobody asks
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
   [[nodiscard]] const Theme& theme() const { return scene.theme; }
   /// Whether what is shown is the state of the insertion's phase: on the way there, it is not.

@@ -16,7 +16,8 @@ void note(const View& view, std::string_view name, bool enabled) {
 }
 
 void tip(const View& view, const std::string& text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (text.empty() || view.ui.tipsWait || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (view.tooltip != nullptr) *view.tooltip = text;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(view.px(340));
   ImGui::TextUnformatted(text.c_str());
@@ -26,6 +27,8 @@ void tip(const View& view, const std::string& text) {
 
 namespace {
 
+constexpr double kLowWindow = 380.0;  // pixels at 100 %
+
 std::string tooltipOf(const ActionInfo& info, const std::string& reason) {
   std::string text(info.help);
   if (const std::string keys = keysOf(info); !keys.empty()) text += "\nKeys: " + keys;
@@ -34,6 +37,10 @@ std::string tooltipOf(const ActionInfo& info, const std::string& reason) {
 }
 
 }  // namespace
+
+bool inLowWindow(const View& view) { return ImGui::GetIO().DisplaySize.y < view.px(kLowWindow); }
+
+float iconButtonWidth(const View& view) { return ImGui::GetFrameHeight() * (inLowWindow(view) ? 1.0f : 1.25f); }
 
 void actionButton(const View& view, Orders& orders, Action action, Icon icon) {
   const ActionInfo& info = infoOf(action);
@@ -46,7 +53,7 @@ void actionButton(const View& view, Orders& orders, Action action, Icon icon) {
     pressed = ImGui::Button(std::string(info.label).c_str());
   } else {
     const float side = ImGui::GetFrameHeight();
-    pressed = ImGui::Button("##icon", {side * 1.25f, side});
+    pressed = ImGui::Button("##icon", {iconButtonWidth(view), side});
     const ImVec2 lo = ImGui::GetItemRectMin();
     const ImVec2 hi = ImGui::GetItemRectMax();
     drawIcon(*ImGui::GetWindowDrawList(), icon, {0.5f * (lo.x + hi.x), 0.5f * (lo.y + hi.y)}, side * 0.56f,

@@ -13,9 +13,13 @@ namespace triscope {
 
 /// Remembers the last item's place under this name.
 void note(const View& view, std::string_view name, bool enabled = true);
-/// Tooltip of the last item, shown for disabled ones too.
+/// Tooltip of the last item, shown for disabled ones too; not while one works by keys.
 void tip(const View& view, const std::string& text);
 
+/// Width of a button with an icon; buttons are narrower in a low window, where one row of them must do.
+float iconButtonWidth(const View& view);
+/// Whether the window is so low that what can be reached by menus makes room for the picture.
+bool inLowWindow(const View& view);
 /// A button for an action, with its icon, or its label where there is none; disabled with the reason as a tooltip.
 void actionButton(const View& view, Orders& orders, Action action, Icon icon);
 /// A check box for an action that is a switch.

@@ -95,6 +95,19 @@ struct GlfwLibrary {
   }
 };
 
+/// Only now is it known by how much the monitor's scale has enlarged the window.
+void fitIntoWorkArea(GLFWwindow* window) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (monitor == nullptr) return;
+  int x = 0, y = 0, areaWidth = 0, areaHeight = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &areaWidth, &areaHeight);
+  int width = 0, height = 0;
+  glfwGetWindowSize(window, &width, &height);
+  if (areaWidth <= 0 || areaHeight <= 0 || (width <= areaWidth && height <= areaHeight)) return;
+  glfwSetWindowSize(window, std::min(width, areaWidth), std::min(height, areaHeight));
+  glfwSetWindowPos(window, x, y);
+}
+
 GLFWwindow* makeWindow() {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -103,17 +116,12 @@ GLFWwindow* makeWindow() {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "triscope");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "triscope");
-  int x = 0, y = 0, width = 1440, height = 900;
-  if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor(); monitor != nullptr) {
-    int areaWidth = 0, areaHeight = 0;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &areaWidth, &areaHeight);
-    if (areaWidth > 0 && areaHeight > 0) {
-      width = std::min(width, areaWidth);
-      height = std::min(height, areaHeight);
-    }
-  }
-  GLFWwindow* const window = glfwCreateWindow(width, height, "Triscope", nullptr, nullptr);
-  if (window != nullptr) glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  GLFWwindow* const window = glfwCreateWindow(1440, 900, "Triscope", nullptr, nullptr);
+  if (window == nullptr) return nullptr;
+  fitIntoWorkArea(window);
+  glfwSetWindowSizeLimits(window, 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  glfwShowWindow(window);
   return window;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/counted.h"
 #include "core/domain/read.h"
 #include "core/pipeline.h"
 
@@ -55,6 +56,24 @@ TEST(Caption, EveryKindAndRuleIsASentence) {
       EXPECT_TRUE(text.back() == '.') << text;
       EXPECT_FALSE(contains(text, "4294967295")) << text;
     }
+}
+
+TEST(Caption, NumbersAreInTheirRightNumber) {
+  EXPECT_EQ(counted(0, "time", "times"), "0 times");
+  EXPECT_EQ(counted(1, "time", "times"), "1 time");
+  EXPECT_EQ(counted(106431, "decision", "decisions"), "106\u2009431 decisions");
+  Event e;
+  e.kind = EventKind::vertex_inserted;
+  e.rule = Rule::initial;
+  e.vertex = 1;
+  e.createdCount = 1;
+  EXPECT_TRUE(contains(captionOf(e), "It made 1 triangle.")) << captionOf(e);
+  MeshState state;
+  state.stage = Stage::finished;
+  state.tick = 106431;
+  Quality quality;
+  quality.triangles = 1;
+  EXPECT_TRUE(contains(summaryOf(state, quality), "after 106\u2009431 decisions: 1 triangle, none of them obtuse"));
 }
 
 TEST(Caption, SummaryNamesTheFigures) {

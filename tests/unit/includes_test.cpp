@@ -23,6 +23,7 @@ struct Layer {
 constexpr std::array kLayers{
     Layer{"core/geometry/", 0},
     Layer{"core/result", 1},
+    Layer{"core/counted", 1},
     Layer{"core/stage.h", 1},
     Layer{"core/settings", 2},
     Layer{"core/event", 2},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "render/number.h"
@@ -209,9 +210,25 @@ TEST(Scene, BrushedAndObtuseTrianglesStandOut) {
     return static_cast<std::size_t>(std::count(fills.begin(), fills.end(), color));
   };
   EXPECT_EQ(countOf(scene.theme.obtuse), quality.obtuse);
-  view.brush = {true, TriangleFill::aspect, 2.0, 1e9};
+  view.brush = {true, TriangleFill::aspect, 2.0, 1e6};
   updateScene(scene, state, view, nullptr, &quality);
   EXPECT_EQ(countOf(scene.theme.selection), state.mesh.liveCount());
+  ASSERT_NE(legendItem(scene, "aspect ratio 2 to 1000000"), nullptr);
+  view.brush.low = 0.99999999 * quality.aspectMax;
+  view.brush.high = std::numeric_limits<double>::max();
+  const std::string open = "aspect ratio ≥ " + compact(view.brush.low, 4);
+  view.dimmed = true;  // its colours are other ones then, its count is not
+  updateScene(scene, state, view, nullptr, &quality);
+  ASSERT_NE(legendItem(scene, open), nullptr);
+  int worst = 0;
+  for (std::size_t slot = 0; slot < state.mesh.triangles.size(); ++slot) {
+    const auto& v = state.mesh.triangles[slot].v;
+    const auto at = [&](std::size_t i) { return state.mesh.points[static_cast<std::size_t>(v[i])]; };
+    if (state.mesh.alive(static_cast<std::int32_t>(slot)) && qualityOf(at(0), at(1), at(2)).aspect >= view.brush.low)
+      ++worst;
+  }
+  ASSERT_GE(worst, 1);
+  EXPECT_EQ(legendItem(scene, open)->value, std::to_string(worst));
 }
 
 TEST(Scene, AnEmptyStateGivesAnEmptyPicture) {
@@ -245,6 +262,17 @@ TEST(Palette, TextReadsInEveryTheme) {
     }
   }
   EXPECT_NEAR(contrast(rgb(0x000000), rgb(0xFFFFFF)), 21.0, 1e-9);
+}
+
+TEST(Palette, StagesAreSeenInEveryTheme) {
+  for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::high_contrast}) {
+    const Theme& t = themeOf(kind);
+    for (int k = 0; k < kStageCount; ++k)
+      EXPECT_GE(contrast(stageColor(t, static_cast<Stage>(k)), t.surface), 1.3)
+          << k << " in " << static_cast<int>(kind);
+    EXPECT_GE(contrast(stageColor(t, Stage::finished), t.surface), 4.5);
+    EXPECT_GE(contrast(stageColor(t, Stage::finished), stageColor(t, Stage::refine)), 1.4);
+  }
 }
 
 TEST(Palette, ScalesGrowLighterAllTheWay) {

@@ -278,6 +278,36 @@ TEST(Session, RecordsWhereStagesBeginAndTheWorstMeasures) {
   EXPECT_NEAR(static_cast<double>(middle.worst[0]), there.aspectMax, 1e-4 * there.aspectMax);
 }
 
+TEST(Session, ADecisionBelongsToTheStageThatIsShownThere) {
+  Session session;
+  const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
+  const RunRecord record = session.record();
+  EXPECT_EQ(entryOfDecision(record, 0)->stage, Stage::constraints);
+  for (const StageEntry& border : record.stages) {
+    for (const std::uint64_t tick : {border.tick, border.tick + 1}) {
+      if (tick == 0 || tick >= end) continue;
+      const Snapshot& there = doNow(session, command::Seek{tick});
+      const StageEntry* const entry = entryOfDecision(record, tick);
+      EXPECT_EQ(entry->stage, there.last->stage) << tick;
+      if (entry->stage != Stage::refine) {  // its passes are no entries
+        EXPECT_EQ(entry->round, there.last->round) << tick;
+      }
+    }
+  }
+}
+
+TEST(Session, ASampleOfASnapshotEqualsTheTraces) {
+  Session session;
+  doNow(session, command::OpenDomain{square(0.5)});
+  const QualitySample traced = measured(session).samples[session.record().samples.size() / 2];
+  const Snapshot& there = doNow(session, command::Seek{traced.tick});
+  const QualitySample own = sampleOf(there.state.tick, there.quality);
+  EXPECT_EQ(own.tick, traced.tick);
+  EXPECT_EQ(own.triangles, traced.triangles);
+  EXPECT_EQ(own.obtuse, traced.obtuse);
+  for (std::size_t m = 0; m < own.worst.size(); ++m) EXPECT_FLOAT_EQ(own.worst[m], traced.worst[m]) << m;
+}
+
 TEST(Session, SeeksAnEvent) {
   Session session;
   doNow(session, command::OpenDomain{square(0.5)});

@@ -174,6 +174,43 @@ class Debugger(harness.WindowTest):
         self.window.drawn(lambda image: image.colors(left, top, wide, high) != before, "the change to be drawn")
         self.window.click("plots.unmark")
         self.window.wait(lambda s: not s["debug"]["brush"], "the marks to go")
+        for end in ("Escape", "ctrl+p"):
+            self.window.press(x + 3, y + height - 3)
+            self.window.wait(lambda s: s["debug"]["brush"], "the bar to mark its triangles")
+            self.window.key(end)
+            self.window.wait(lambda s: not s["debug"]["brush"], f"{end} to take the marks away")
+
+    def test_what_is_hovered_says_of_which_decision_it_is(self):
+        """Between two samples: the mesh of the decision itself where the window stands, else the sample's decision."""
+        end = self.measured()["tick"]
+        self.window.key("ctrl+p")
+        x, y, width, height = self.strip("plots.run")
+        for part in (0.31, 0.33, 0.35):
+            self.window.press(x + part * width, y + height / 2)
+            state = self.window.wait(lambda s: abs(s["tick"] - part * end) < 0.01 * end, "the place clicked")
+            worst = f"{state['figures']['aspect_ratio_max']:.3f}".rstrip("0")
+            tip = f"Decision {state['tick']}: worst aspect ratio {worst}\n"
+            self.window.wait(lambda s: s["tooltip"].startswith(tip), tip)
+        self.window.key("Left")
+        state = self.window.wait(lambda s: s["tick"] == state["tick"] - 1, "a step back")
+        self.window.move(x + 0.34 * width, y + height / 2)
+        self.window.wait(lambda s: "after decision" in s["tooltip"], "the decision of the sample")
+
+    def test_a_stage_is_named_up_to_its_last_decision(self):
+        end = self.measured()["tick"]
+        x, y, width, height = self.strip()
+        self.window.key("Prior")
+        state = self.window.wait(lambda s: s["tick"] < end and s["activity"] == "idle", "the last stage's start")
+        self.window.move(x + width * state["tick"] / end, y + height / 2)
+        self.window.xdotool("click", "--repeat", "24", "--delay", "10", "4")
+        self.window.wait(lambda s: 0 < s["debug"]["to"] - s["debug"]["from"] < 0.2 * width, "the zoom")
+        shown = self.window.settled()["debug"]
+        for tick in range(state["tick"] - 1, state["tick"] + 2):
+            part = (tick - shown["from"]) / (shown["to"] - shown["from"])
+            self.window.press(x + part * width, y + height / 2)
+            there = self.window.wait(lambda s: s["tick"] == tick and s["activity"] == "idle", f"decision {tick}")
+            name = {"refine": "step 6"}.get(there["stage"], there["stage"].replace("step", "step "))
+            self.window.wait(lambda s: s["tooltip"].startswith(f"Decision {tick}, {name}"), (tick, name))
 
     def test_everything_has_its_place(self):
         """At 100 % and 200 %, with each panel open: on the screen, and nothing over anything else."""

@@ -7,6 +7,7 @@ import time
 import unittest
 
 import harness
+import xresources
 
 
 class Look(harness.WindowTest):
@@ -37,6 +38,8 @@ class Look(harness.WindowTest):
             # Where the window is low beside its letters, one row of buttons and one column of tabs must do.
             fixed += ["speed", "fit", "save_picture"] if scale <= 2 else []
             fixed += ["tab.Inspect"] if scale <= 1.5 else []
+            fixed += ["timeline", "timeline.count"]
+            fixed += ["tab.Plots", "tab.Breakpoints", "tab.Compare"] if scale <= 2 else ["timeline.panels", "toolbar.more"]
             for name in fixed:
                 x, y, width, height, _ = state["widgets"][name]
                 self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, (scale, name))
@@ -104,6 +107,59 @@ class Stages(harness.WindowTest):
 
 
 class Room(harness.WindowTest):
+    def test_what_has_no_room_is_in_a_menu(self):
+        window = self.window
+        for _ in range(8):
+            window.key("ctrl+equal")
+        window.wait(lambda s: s["scale"] == 3, "the scale")
+        window.settled()
+        window.click("toolbar.more")
+        for name in ("speed", "pin_run", "fit", "worst_aspect", "save_picture"):
+            x, y, width, height = window.widget_box(name)
+            self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800, name)
+        window.click("worst_aspect")
+        window.wait(lambda s: s["selection"]["kind"] == "triangle", "the worst triangle")
+        self.assertNotIn("worst_aspect", window.settled()["widgets"])
+        window.click("timeline.panels")
+        window.click("tab.Breakpoints")
+        window.wait(lambda s: s["debug"]["bottom"] == "Breakpoints", "the panel")
+
+    def test_the_legend_leaves_the_picture_free(self):
+        """Beside it as long as it fits; where it would cover much of it, a button and its key show it."""
+        window = self.window
+        window.key("ctrl+p")
+        state = window.wait(lambda s: s["debug"]["bottom"] == "Plots" and "legend" in s["widgets"], "the legend")
+        canvas = state["widgets"]["canvas"]
+        self.assertGreaterEqual(state["widgets"]["legend"][0], canvas[0] + canvas[2])
+        window.key("ctrl+p")
+        for _ in range(4):
+            window.key("ctrl+equal")
+        window.wait(lambda s: s["scale"] == 2 and "legend.folded" in s["widgets"], "the button")
+        self.assertFalse(window.settled()["layers"]["legend"])
+        window.move(*window.widget("legend.folded"))
+        window.wait(lambda s: "legend.over" in s["widgets"], "the legend while the mouse is on the button")
+        window.move(5, 700)
+        window.wait(lambda s: "legend.over" not in s["widgets"], "the legend to go")
+        window.key("g")
+        state = window.wait(lambda s: s["layers"]["legend"] and "legend.over" in s["widgets"], "the legend by its key")
+        x, y, width, height, _ = state["widgets"]["legend.over"]
+        self.assertTrue(x >= 0 and y >= 0 and x + width <= 1280 and y + height <= 800)
+        window.key("g")
+        window.wait(lambda s: "legend.over" not in s["widgets"], "the legend to go again")
+        window.click("legend.folded")
+        window.wait(lambda s: s["layers"]["legend"], "the legend by its button")
+
+    def test_no_button_of_the_breakpoints_is_cut(self):
+        window = self.window
+        for _ in range(4):
+            window.key("ctrl+equal")
+        window.key("ctrl+b")
+        names = ["break.words", "continue_back", "continue_forward", "first_violation"]
+        state = window.wait(lambda s: s["scale"] == 2 and all(n in s["widgets"] for n in names), "the panel")
+        right = 1280 - min(2 * 340, 0.4 * (1280 - 48)) - 36
+        for name in names:
+            self.assertLessEqual(sum(state["widgets"][name][0:3:2]), right, name)
+
     def test_the_picture_keeps_its_share(self):
         """However large everything is, a good part of the width is the picture's, and no panel is lost."""
         window = self.window
@@ -119,6 +175,26 @@ class Room(harness.WindowTest):
         window.wait(lambda s: s["widgets"]["canvas"][2] > 1200, "the picture alone")
         window.key("F4")
         window.wait(lambda s: "tab.Why" in s["widgets"], "the column again")
+
+
+class MonitorScale(unittest.TestCase):
+    def test_the_window_fits_on_the_screen(self):
+        """A monitor that asks for 200 % enlarges the window, but not beyond itself."""
+        display = harness.Display(1440, 900)
+        self.addCleanup(display.close)
+        resources = xresources.Resources(display.name, Xft_dpi=192)
+        self.addCleanup(resources.close)
+        window = harness.Window(display)
+        self.addCleanup(window.close)
+        state = window.settled()
+        self.assertEqual(state["scale"], 2.0)
+        geometry = window.xdotool("getwindowgeometry", "--shell", window.id)
+        x, y, width, height = (int(re.search(rf"^{name}=(-?\d+)$", geometry, re.MULTILINE)[1])
+                               for name in ("X", "Y", "WIDTH", "HEIGHT"))
+        self.assertTrue(x >= 0 and y >= 0 and x + width <= 1440 and y + height <= 900, geometry)
+        for name, (left, top, wide, high, _) in state["widgets"].items():
+            if name in ("canvas", "timeline", "tab.Plots", "save_picture", "caption"):
+                self.assertTrue(left >= 0 and top >= 0 and left + wide <= 1440 and top + high <= 900, name)
 
 
 class Idle(harness.WindowTest):

@@ -63,6 +63,18 @@ class Toolbar(harness.WindowTest):
         self.assertNotEqual(before.colors(x, y + 20, 160, 40), after.colors(x, y + 20, 160, 40))
 
 
+    def test_tooltips_keep_away_from_who_works_by_keys(self):
+        x, y = self.window.widget("restart")
+        self.window.move(x, y)
+        self.window.wait(lambda s: s["tooltip"], "the tooltip")
+        self.window.key("Left")
+        self.window.wait(lambda s: not s["tooltip"], "the tooltip to go")
+        self.window.key("Right")
+        self.assertEqual(self.window.settled()["tooltip"], "")
+        self.window.move(x + 2, y)
+        self.window.wait(lambda s: s["tooltip"], "the tooltip once the mouse moves")
+
+
 class Canvas(harness.WindowTest):
     def test_is_not_blank_and_shows_the_mesh(self):
         state = self.window.settled()

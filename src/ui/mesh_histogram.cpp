@@ -1,0 +1,147 @@
+#include "ui/mesh_histogram.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/quality/quality.h"
+#include "render/number.h"
+#include "ui/plot_frame.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace triscope {
+namespace {
+
+struct Spread {
+  const char* name;
+  double bound;
+  TriangleFill fill;  // what a brushed bar marks
+};
+constexpr std::array<Spread, kMeasureCount> kSpreads{{
+    {"aspect ratio", Bounds::aspect, TriangleFill::aspect},
+    {"area ratio", Bounds::areaRatio, TriangleFill::area_ratio},
+    {"edge ratio", Bounds::edgeRatio, TriangleFill::edge_ratio},
+    {"smallest angle", Bounds::minAngle, TriangleFill::min_angle},
+    {"largest angle", Bounds::maxAngle, TriangleFill::max_angle},
+}};
+
+/// The square root keeps a single bad triangle in sight beside thousands of good ones.
+float rootPart(std::uint64_t count, std::uint32_t most) {
+  return static_cast<float>(std::sqrt(static_cast<double>(count) / static_cast<double>(most)));
+}
+
+void brush(const View& view, Orders& orders, const Histogram& h, std::size_t bar) {
+  ViewOptions options = view.ui.options;
+  const double low = h.low + static_cast<double>(bar) * h.width();
+  const bool last = bar + 1 == h.counts.size();
+  const Brush wanted{true, kSpreads[static_cast<std::size_t>(h.measure)].fill, low,
+                     last ? std::numeric_limits<double>::max() : low + h.width()};
+  options.brush = options.brush == wanted ? Brush{} : wanted;
+  orders.emplace_back(options);
+}
+
+void bars(const View& view, Orders& orders, const PlotFrame& f, const Histogram& h) {
+  const std::uint32_t most = *std::max_element(h.counts.begin(), h.counts.end());
+  const float width = f.width() / static_cast<float>(h.counts.size());
+  const Brush& brushed = view.ui.options.brush;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t k = 0; k < h.counts.size(); ++k) {
+    if (h.counts[k] == 0) continue;
+    const float part = rootPart(h.counts[k], most);
+    const float x = f.lo.x + static_cast<float>(k) * width;
+    const double low = h.low + static_cast<double>(k) * h.width();
+    const bool marked = brushed.on && brushed.measure == kSpreads[static_cast<std::size_t>(h.measure)].fill &&
+                        std::fabs(brushed.low - low) < 1e-9 * (1.0 + std::fabs(low));
+    const Color fill = marked ? view.theme().selection : mix(view.theme().background, accentOf(view.theme()), 0.7);
+    list.AddRectFilled({x + 0.5f, f.hi.y - std::max(view.px(2), part * f.height())}, {x + width - 0.5f, f.hi.y},
+                       toImU32(fill));
+  }
+  const double bound = kSpreads[static_cast<std::size_t>(h.measure)].bound;
+  if (bound > h.low && bound < h.high) {
+    const float x = f.lo.x + static_cast<float>((bound - h.low) / (h.high - h.low)) * f.width();
+    dashedLine(view, {x, f.lo.y}, {x, f.hi.y}, view.theme().worstAspect);
+  }
+  ImGui::SetCursorScreenPos(f.lo);
+  const bool pressed = ImGui::InvisibleButton("bars", {f.width(), f.height()});
+  note(view, "plots.bars");
+  if (!ImGui::IsItemHovered()) return;
+  const float at = (ImGui::GetIO().MousePos.x - f.lo.x) / width;
+  const auto bar = std::min(h.counts.size() - 1, static_cast<std::size_t>(std::max(0.0f, at)));
+  if (pressed) brush(view, orders, h, bar);
+  const double low = h.low + static_cast<double>(bar) * h.width();
+  const bool last = bar + 1 == h.counts.size();
+  tip(view,
+      fmt::format("{} from {} to {}\nClick to mark {} in the mesh, again to unmark.",
+                  counted(h.counts[bar], "triangle", "triangles"), compact(low, 4),
+                  compact(last ? std::max(h.most, h.high) : low + h.width(), 4), h.counts[bar] == 1 ? "it" : "them"));
+}
+
+/// Of `most` counted: 1, 2, 5, 10 and so on at the heights of their square roots, those that have room between 0 and
+/// the highest.
+std::vector<PlotTick> countTicks(const View& view, const PlotFrame& f, std::uint32_t most) {
+  const float room = 1.5f * view.fonts.small->FontSize;
+  std::vector<PlotTick> ticks{{f.hi.y, "0"}};
+  for (std::uint64_t power = 1; power < most; power *= 10)
+    for (const std::uint64_t count : {power, 2 * power, 5 * power}) {
+      const float at = f.hi.y - rootPart(count, most) * f.height();
+      if (count < most && ticks.back().at - at >= room && at - f.lo.y >= room) ticks.push_back({at, grouped(count)});
+    }
+  ticks.push_back({f.lo.y, grouped(most)});
+  return ticks;
+}
+
+/// Below: where the bars begin and end. The last bar may hold more than its width says.
+void valueAxis(const View& view, const PlotFrame& f, const Histogram& h) {
+  const Color muted = view.theme().textMuted;
+  const float top = f.hi.y + view.px(1);
+  plotText(view, {f.lo.x, top}, 0.0f, compact(h.low, 4), muted);
+  const std::string end = h.most > h.high
+                              ? fmt::format("last bar ≥ {}, max {}", compact(h.high - h.width(), 4), compact(h.most, 4))
+                              : compact(h.high, 4);
+  plotText(view, {f.hi.x, top}, 1.0f, end, muted);
+}
+
+}  // namespace
+
+void drawMeshHistogram(const View& view, Orders& orders) {
+  const DebugUi& chosen = view.ui.debug;
+  int measure = static_cast<int>(chosen.histogram);
+  ImGui::SetNextItemWidth(view.px(150));
+  const auto nameOfSpread = [](void*, int k, const char** out) {
+    *out = kSpreads[static_cast<std::size_t>(k)].name;
+    return true;
+  };
+  if (ImGui::Combo("##spread", &measure, nameOfSpread, nullptr, kMeasureCount))
+    orders.emplace_back(order::ShowPlot{static_cast<int>(chosen.plot), measure});
+  note(view, "plots.spread");
+  tip(view,
+      "Which measure of the current mesh's triangles is counted. Heights grow with the square root of the count.");
+  if (view.ui.options.brush.on) {
+    ImGui::SameLine();
+    if (ImGui::Button("Unmark")) {
+      ViewOptions options = view.ui.options;
+      options.brush = {};
+      orders.emplace_back(options);
+    }
+    note(view, "plots.unmark");
+    tip(view, "Marks no triangles any more.");
+  }
+  const Histogram& h = view.debug.histogram;
+  const PlotFrame f = plotFrameHere(view);
+  plotGround(view, f);
+  if (h.counts.empty()) {
+    plotText(view, {0.5f * (f.lo.x + f.hi.x), 0.5f * (f.lo.y + f.hi.y)}, 0.5f, "no triangles yet",
+             view.theme().textMuted);
+    return;
+  }
+  plotTicks(view, f, countTicks(view, f, *std::max_element(h.counts.begin(), h.counts.end())));
+  bars(view, orders, f, h);
+  plotText(view, {f.hi.x - view.px(5), f.lo.y + view.px(2)}, 1.0f, "triangles, on a √ scale", view.theme().textMuted);
+  valueAxis(view, f, h);
+}
+
+}  // namespace triscope

@@ -1,0 +1,10 @@
+// How a measure is spread over the triangles of the current mesh; a click on a bar marks its triangles.
+#pragma once
+
+#include "ui/view.h"
+
+namespace triscope {
+
+void drawMeshHistogram(const View& view, Orders& orders);
+
+}  // namespace triscope
