@@ -19,9 +19,10 @@ constexpr std::array kTable{
                 "No edge is meant to be shorter; 0 takes the domain file's, or derives it from the geometry."},
     SettingInfo{"curvature_turn", "", "turn of one edge on a curve", "deg", &Settings::curvatureTurn, 1.0, 120.0, 0.0,
                 0.0, Stage::constraints, "An edge on a curved boundary may span at most this much turning."},
-    SettingInfo{"corner_turn", "", "turn that makes a corner extreme", "deg", &Settings::cornerTurn, 0.0, 180.0, 0.0,
-                0.0, Stage::constraints,
-                "A boundary that turns more than this at a kept point has an extreme point of density there."},
+    SettingInfo{
+        "corner_turn", "", "turn that makes a corner extreme", "deg", &Settings::cornerTurn, 0.0, 180.0, 0.0, 0.0,
+        Stage::constraints,
+        "Where the boundary turns into the domain by more than this at a kept point, density has an extreme point."},
     SettingInfo{"gap_fraction", "", "edge length across a gap", "gap width", &Settings::gapFraction, 0.01, 10.0, 0.0,
                 0.0, Stage::constraints,
                 "Where two boundary pieces face each other, edges are this fraction of the distance between them."},
