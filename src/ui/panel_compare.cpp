@@ -99,9 +99,13 @@ void parting(const View& view, Orders& orders) {
       const std::string what = *first < events.size() ? captionOf(events[*first]) : "The run is over.";
       ImGui::TextWrapped("%s: %s", run, what.c_str());
     };
+    ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("event %s", grouped(*first).c_str());
+    besideIfFits(std::string(infoOf(Action::first_difference).label).c_str());
+    actionButton(view, orders, Action::first_difference, Icon::none);
     tell("A", view.pinned->session().runEvents());
     tell("B", view.session.runEvents());
+    return;
   }
   actionButton(view, orders, Action::first_difference, Icon::none);
 }
