@@ -1,8 +1,8 @@
 // triscope check: judges any mesh file by the paper's bounds and the rules of validity.
 #include <fmt/format.h>
 
-#include "core/debug/bound_text.h"
 #include "cli/commands.h"
+#include "core/debug/bound_text.h"
 #include "core/domain/read.h"
 #include "core/io/against_domain.h"
 #include "core/io/mesh_from.h"

@@ -18,7 +18,6 @@ namespace {
 
 std::string place(Point p) { return fmt::format("{}, {}", compact(p.x, 5), compact(p.y, 5)); }
 
-
 std::string_view nameOf(VertexKind kind) {
   switch (kind) {
     case VertexKind::helper:

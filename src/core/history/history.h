@@ -17,8 +17,8 @@ namespace triscope {
 /// Bytes that a copy of the state takes, to a good approximation.
 std::size_t bytesOf(const MeshState& state);
 
-/// Whether a run has come to where settings matter that first do so in this stage: the stage has begun, in this round of
-/// steps 2-5 or in one before.
+/// Whether a run has come to where settings matter that first do so in this stage: the stage has begun, in this round
+/// of steps 2-5 or in one before.
 bool hasComeTo(const MeshState& state, Stage stage);
 
 /// What drawing, measuring and the events cannot tell: how far the run had come at a keyframe.
