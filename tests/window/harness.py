@@ -205,14 +205,15 @@ class Window:
         return self.state()["widgets"][name][:4]
 
     def widget(self, name):
-        """Middle of a widget, once it is there and stays in its place."""
-        place = None
+        """Middle of a widget, once it is there and the next frame, if there is one, leaves it in its place."""
+        place, frame, since = None, None, 0.0
         while True:
             state = self.wait(lambda s: name in s["widgets"], f"the widget '{name}'")
-            if state["widgets"][name] == place:
+            if state["widgets"][name] != place:
+                place, frame, since = state["widgets"][name], state["frame"], time.monotonic()
+            elif state["frame"] > frame or time.monotonic() - since > 0.3:
                 break
-            place = state["widgets"][name]
-            time.sleep(0.12)
+            time.sleep(0.04)
         x, y, width, height, _ = place
         return x + width / 2, y + height / 2
 
