@@ -41,8 +41,9 @@ const QualitySample* sampleAt(const RunRecord& record, std::uint64_t tick) {
 
 void RunRecorder::forgetAfter(std::uint64_t tick, std::uint64_t events) {
   std::erase_if(record_.stages, [events](const StageEntry& e) { return e.event >= events; });
-  while (!insertions_.empty() && insertions_.back() > tick) insertions_.pop_back();
-  if (eventsAfter_.size() > tick) eventsAfter_.resize(static_cast<std::size_t>(tick));
+  while (!insertions_.empty() && insertions_.back().first > tick) insertions_.pop_back();
+  if (!insertions_.empty()) insertions_.back().last = std::min(insertions_.back().last, tick);
+  while (!surplus_.empty() && surplus_.back().tick > tick) surplus_.pop_back();
   record_.ticks = std::min(record_.ticks, tick);
   record_.complete = false;
   events_ = std::min(events_, events);
@@ -58,20 +59,37 @@ void RunRecorder::follow(const MeshState& state, const Beat& beat) {
   }
   events_ = std::max(events_, beat.events);
   if (state.tick <= record_.ticks) return;
-  if (state.mesh.points.size() > beat.pointsBefore) insertions_.push_back(static_cast<std::uint32_t>(state.tick));
-  eventsAfter_.push_back(static_cast<std::uint32_t>(beat.events));
+  if (state.mesh.points.size() > beat.pointsBefore) {
+    if (!insertions_.empty() && insertions_.back().last + 1 == state.tick)
+      insertions_.back().last = state.tick;
+    else
+      insertions_.push_back({state.tick, state.tick});
+  }
+  const std::int64_t surplus = static_cast<std::int64_t>(beat.events) - static_cast<std::int64_t>(state.tick);
+  if (surplus_.empty() || surplus_.back().events != surplus) surplus_.push_back({state.tick, surplus});
   record_.ticks = state.tick;
 }
 
 std::uint64_t RunRecorder::insertionBefore(std::uint64_t tick) const {
-  const auto at = std::lower_bound(insertions_.begin(), insertions_.end(), tick);
-  return at == insertions_.begin() ? 0 : *(at - 1);
+  const auto after = std::lower_bound(insertions_.begin(), insertions_.end(), tick,
+                                      [](Stretch stretch, std::uint64_t t) { return stretch.first < t; });
+  return after == insertions_.begin() ? 0 : std::min((after - 1)->last, tick - 1);
+}
+
+std::size_t RunRecorder::bytes() const {
+  return insertions_.capacity() * sizeof(insertions_[0]) + surplus_.capacity() * sizeof(surplus_[0]);
 }
 
 std::optional<std::uint64_t> RunRecorder::tickOfEvent(std::uint64_t index) const {
-  const auto at = std::upper_bound(eventsAfter_.begin(), eventsAfter_.end(), index);
-  if (at == eventsAfter_.end()) return std::nullopt;
-  return static_cast<std::uint64_t>(at - eventsAfter_.begin()) + 1;
+  // The first change that comes with a later event: the decision looked for is that one, or one before it.
+  const auto after = std::upper_bound(surplus_.begin(), surplus_.end(), index,
+                                      [](std::uint64_t event, Surplus s) { return event < s.eventsAfter(s.tick); });
+  const std::uint64_t end = after == surplus_.end() ? record_.ticks + 1 : after->tick;
+  if (after != surplus_.begin()) {
+    const auto tick = static_cast<std::uint64_t>(static_cast<std::int64_t>(index) + 1 - (after - 1)->events);
+    if (tick < end) return tick;
+  }
+  return end <= record_.ticks ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace triscope

@@ -72,12 +72,29 @@ class RunRecorder {
   [[nodiscard]] std::uint64_t insertionBefore(std::uint64_t tick) const;
   /// Decisions made once event `index` has happened; nothing when it is not known yet.
   [[nodiscard]] std::optional<std::uint64_t> tickOfEvent(std::uint64_t index) const;
+  /// Bytes that it takes, without the record.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
+  /// From this decision on there are so many events more than decisions. Most decisions make one event.
+  struct Surplus {
+    std::uint64_t tick = 0;
+    std::int64_t events = 0;
+    [[nodiscard]] std::uint64_t eventsAfter(std::uint64_t decisions) const {
+      return static_cast<std::uint64_t>(static_cast<std::int64_t>(decisions) + events);
+    }
+  };
+
+  /// Decisions that all inserted a point: steps insert for long stretches.
+  struct Stretch {
+    std::uint64_t first = 0;
+    std::uint64_t last = 0;
+  };
+
   RunRecord record_;
-  std::vector<std::uint32_t> insertions_;   // ticks right after one, ascending
-  std::vector<std::uint32_t> eventsAfter_;  // [k]: events once decision k + 1 is made
-  std::uint64_t events_ = 0;                // known
+  std::vector<Stretch> insertions_;  // by tick
+  std::vector<Surplus> surplus_;     // by tick: where it changes
+  std::uint64_t events_ = 0;         // known
 };
 
 }  // namespace triscope
