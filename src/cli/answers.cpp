@@ -51,7 +51,7 @@ std::vector<Line> stateLines(const Recording& recording, const Quality& quality)
 }
 
 std::vector<Line> eventLines(const Recording& recording, const Print& print) {
-  const std::vector<Event>& events = recording.events();
+  const Events events = recording.events();
   std::vector<Line> lines;
   for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
     lines.push_back(lineOf(events, static_cast<std::size_t>(k)));
@@ -63,7 +63,7 @@ std::vector<Line> eventLines(const Recording& recording, const Print& print) {
 
 std::vector<Line> linesOf(const Stop& stop, const Print& print, const Quality& quality) {
   const Recording& recording = stop.recording;
-  const std::vector<Event>& events = recording.events();
+  const Events events = recording.events();
   switch (print.what) {
     case Print::What::state:
       return stateLines(recording, quality);
@@ -110,7 +110,7 @@ std::string dataOf(const Stop& stop, const Print& print, const Quality& quality)
   if (print.what == Print::What::quality) return ",\n     \"quality\": " + reportOf(mesh, quality);
   if (print.what == Print::What::worst) return ",\n     \"worst\": " + worstAsJson(mesh, quality);
   if (print.what != Print::What::events) return {};
-  const std::vector<Event>& events = stop.recording.events();
+  const Events events = stop.recording.events();
   std::string list;
   for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
     list += fmt::format("{}\n      {}", list.empty() ? "" : ",", eventLine(events[static_cast<std::size_t>(k)], k));

@@ -23,8 +23,8 @@ enum class EventKind : std::uint8_t {
   vertex_removed,    // vertex: gone
   triangle_removed,  // subject: triangle id
   edge_flipped,      // subject, other: the two triangle ids before; created: first id after
-  vertex_moved,      // vertex; from -> at
-  vertex_kept,       // vertex; at: where it would have gone; refusal: why
+  vertex_moved,      // vertex; from, where the last event that placed it says -> at
+  vertex_kept,       // vertex; from: where it stays; at: where it would have gone; refusal: why
   stage_finished,    // subject: decisions made in it that changed something
   failure,           // the method cannot go on; at: where
 };

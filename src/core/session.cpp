@@ -25,9 +25,8 @@ void Session::apply(const Command& order) {
   worker_->order(order);
 }
 
-std::span<const Event> Session::events() const {
-  const std::size_t count = current_ ? static_cast<std::size_t>(current_->events) : 0;
-  return std::span(events_).first(std::min(count, events_.size()));
+Events Session::events() const {
+  return Events(events_).first(current_ ? static_cast<std::size_t>(current_->events) : 0);
 }
 
 bool Session::poll() {
@@ -35,8 +34,8 @@ bool Session::poll() {
   if (!news) return false;
   if (news->snapshot) {
     current_ = std::move(news->snapshot);
-    events_.resize(static_cast<std::size_t>(news->keepEvents));
-    events_.insert(events_.end(), news->freshEvents.begin(), news->freshEvents.end());
+    events_.truncate(static_cast<std::size_t>(news->keepEvents));
+    events_.append(news->freshEvents);
   }
   if (news->record) record_ = std::move(news->record);
   if (news->hits) hits_ = std::move(news->hits);

@@ -14,6 +14,7 @@
 
 #include "core/debug/breakpoint.h"
 #include "core/event.h"
+#include "core/history/events.h"
 #include "core/pipeline.h"
 #include "core/quality/quality.h"
 #include "core/result.h"
@@ -126,9 +127,9 @@ class Session {
   /// True while `current` is the mesh from before a change that is still being carried out.
   [[nodiscard]] bool stale() const { return stale_; }
   /// Events up to `current`, oldest first.
-  [[nodiscard]] std::span<const Event> events() const;
+  [[nodiscard]] Events events() const;
   /// Events of the whole run as far as it is known: those after `current` are of decisions gone back over.
-  [[nodiscard]] std::span<const Event> runEvents() const { return events_; }
+  [[nodiscard]] const EventLog& runEvents() const { return events_; }
   /// What is known of the whole run; never null.
   [[nodiscard]] const RunRecord& record() const { return *record_; }
   [[nodiscard]] const std::vector<Breakpoint>& breakpoints() const { return breakpoints_; }
@@ -153,7 +154,7 @@ class Session {
  private:
   std::unique_ptr<SessionWorker> worker_;
   SnapshotPtr current_;
-  std::vector<Event> events_;
+  EventLog events_;
   std::shared_ptr<const RunRecord> record_ = std::make_shared<const RunRecord>();
   std::shared_ptr<const std::vector<PassedHit>> hits_ = std::make_shared<const std::vector<PassedHit>>();
   std::vector<Breakpoint> breakpoints_;

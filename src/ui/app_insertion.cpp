@@ -67,7 +67,7 @@ void App::enterInsertion(Phase phase) {
 void App::takeApartHere() {
   InsertionUi& insertion = ui_.insertion;
   const Phase phase = entering_.phase;
-  const auto events = session_.runEvents();
+  const Events events = session_.runEvents();
   const auto from = std::min<std::size_t>(static_cast<std::size_t>(shown_->events), events.size());
   const auto to = std::min<std::size_t>(static_cast<std::size_t>(entering_.events), events.size());
   entering_ = {};

@@ -43,8 +43,11 @@ void update(Answers& answers, const Session& session, const std::optional<Ref>& 
   const Events run = session.runEvents();
   answers.birth = birthOf(run, *about);
   const std::size_t last = events.empty() ? 0 : events.size() - 1;
-  answers.previous = previousAbout(run, *about, last);
-  answers.next = nextAbout(run, *about, last);
+  const std::vector<std::size_t> all = eventsAbout(run, *about);
+  const auto here = std::lower_bound(all.begin(), all.end(), last);
+  if (here != all.begin()) answers.previous = *(here - 1);
+  const auto after = here != all.end() && *here == last ? here + 1 : here;
+  if (after != all.end()) answers.next = *after;
 }
 
 void update(Histogram& histogram, const Session& session, Measure measure) {

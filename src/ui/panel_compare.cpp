@@ -95,7 +95,7 @@ void parting(const View& view, Orders& orders) {
   } else if (!first) {
     muted(view, "None: both runs tell the same.");
   } else {
-    const auto tell = [first](const char* run, std::span<const Event> events) {
+    const auto tell = [first](const char* run, const EventLog& events) {
       const std::string what = *first < events.size() ? captionOf(events[*first]) : "The run is over.";
       ImGui::TextWrapped("%s: %s", run, what.c_str());
     };

@@ -247,7 +247,7 @@ const RunRecord& measured(Session& session) {
 TEST(Session, GoingBackForgetsNothingOfTheRun) {
   Session session;
   const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
-  const std::vector<Event> events(session.runEvents().begin(), session.runEvents().end());
+  const EventLog events = session.runEvents();
   EXPECT_EQ(session.record().ticks, end);
   EXPECT_TRUE(session.record().complete);
   doNow(session, command::Restart{});

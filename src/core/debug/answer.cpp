@@ -11,13 +11,15 @@ namespace {
 
 /// True once a stage up to the triangulation has begun. These run once, in order.
 bool hasBegun(Events events, Stage stage) {
-  return std::any_of(events.rbegin(), events.rend(), [&](const Event& e) { return e.stage >= stage; });
+  for (std::size_t k = events.size(); k-- > 0;)
+    if (events.peek(k).stage >= stage) return true;
+  return false;
 }
 
 template <class Test>
 std::optional<std::size_t> firstBefore(Events events, std::size_t end, Test test) {
   for (std::size_t k = 0; k < end; ++k)
-    if (test(events[k])) return k;
+    if (test(events.peek(k))) return k;
   return std::nullopt;
 }
 
@@ -49,14 +51,16 @@ std::string ending(Events events, std::size_t death) {
 
 std::optional<std::size_t> reasonFor(Events events, Ref ref, std::size_t end) {
   if (ref.kind == Ref::Kind::cell) {
-    for (std::size_t k = end; k-- > 0;)
-      if (events[k].kind == EventKind::cell_ranked && events[k].subject == ref.id) return k;
+    for (std::size_t k = end; k-- > 0;) {
+      const Event& e = events.peek(k);
+      if (e.kind == EventKind::cell_ranked && e.subject == ref.id) return k;
+    }
   }
   return birthOf(events.first(end), ref);
 }
 
 std::optional<std::size_t> causeOf(Events events, std::size_t index) {
-  const Event& e = events[index];
+  const Event e = events[index];
   const auto triangle = [&](std::uint32_t id) {
     return id == kNoId ? std::nullopt : reasonFor(events, {Ref::Kind::triangle, id}, index);
   };

@@ -2,18 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <tuple>
 
 namespace triscope {
 namespace {
-
-/// Of two numbers, so that what is not a number equals itself.
-bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-
-bool sameBits(Point a, Point b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
 
 /// Order in which a run comes to its stages: steps 2 to 5 and their repair once a round.
 auto placeInRun(const StageEntry& entry) {
@@ -39,17 +33,10 @@ const StageEntry* entryOf(const RunRecord& run, const RunPlace& place) {
 
 }  // namespace
 
-bool sameContent(const Event& a, const Event& b) {
-  return a.kind == b.kind && a.stage == b.stage && a.rule == b.rule && a.refusal == b.refusal && a.round == b.round &&
-         a.removedCount == b.removedCount && a.subject == b.subject && a.other == b.other && a.vertex == b.vertex &&
-         a.created == b.created && a.createdCount == b.createdCount && sameBits(a.measured, b.measured) &&
-         sameBits(a.limit, b.limit) && sameBits(a.at, b.at) && sameBits(a.from, b.from);
-}
-
-std::optional<std::size_t> firstDifference(std::span<const Event> a, std::span<const Event> b) {
-  const auto [x, y] = std::mismatch(a.begin(), a.end(), b.begin(), b.end(), sameContent);
-  if (x == a.end() && y == b.end()) return std::nullopt;
-  return static_cast<std::size_t>(x - a.begin());
+std::optional<std::size_t> firstDifference(const EventLog& a, const EventLog& b) {
+  const std::size_t alike = commonLength(a, b);
+  if (alike == a.size() && alike == b.size()) return std::nullopt;
+  return alike;
 }
 
 std::vector<SettingDifference> differences(const Settings& a, const Settings& b) {

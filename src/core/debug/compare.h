@@ -4,22 +4,18 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include "core/event.h"
+#include "core/history/event_log.h"
 #include "core/quality/quality.h"
 #include "core/run_record.h"
 #include "core/settings.h"
 
 namespace triscope {
 
-/// Whether two events tell the same: kind, rule, ids, places and values, to the last bit.
-bool sameContent(const Event& a, const Event& b);
-
 /// Number of the first event that differs, also where only one run has it; nothing for runs that are the same.
-std::optional<std::size_t> firstDifference(std::span<const Event> a, std::span<const Event> b);
+std::optional<std::size_t> firstDifference(const EventLog& a, const EventLog& b);
 
 struct SettingDifference {
   const SettingInfo* setting = nullptr;

@@ -55,6 +55,21 @@ bool makesElementsOf(const Event& e, Ref::Kind kind) {
   return false;
 }
 
+/// False when none of those events makes elements of the kind.
+bool mayMakeElementsOf(const Mentioned& events, Ref::Kind kind) {
+  switch (kind) {
+    case Ref::Kind::vertex:
+      return events.has(EventKind::vertex_inserted) || events.has(EventKind::edge_split);
+    case Ref::Kind::cell:
+      return events.has(EventKind::cell_split);
+    case Ref::Kind::triangle:
+      return events.created.low <= events.created.high;
+    case Ref::Kind::event:
+      return true;
+  }
+  return true;
+}
+
 /// Ids that an event made: first, and how many.
 struct Range {
   std::uint32_t first;
@@ -81,20 +96,34 @@ bool isAbout(const Event& event, Ref ref) {
          (ref.kind == Ref::Kind::vertex && event.vertex == ref.id);
 }
 
+bool mayBeAbout(const Mentioned& events, Ref ref) {
+  switch (ref.kind) {
+    case Ref::Kind::vertex:
+      return events.vertex.has(ref.id) || events.other.has(ref.id);
+    case Ref::Kind::triangle:
+    case Ref::Kind::cell:
+      return events.subject.has(ref.id) || events.other.has(ref.id) || events.created.has(ref.id);
+    case Ref::Kind::event:
+      return false;
+  }
+  return false;
+}
+
 std::optional<std::size_t> birthOf(Events events, Ref ref) {
   if (ref.kind == Ref::Kind::event) return ref.id < events.size() ? std::optional<std::size_t>(ref.id) : std::nullopt;
   // In [low, high): events that make nothing of the kind are stepped over.
+  const auto may = [ref](const Mentioned& mentioned) { return mayMakeElementsOf(mentioned, ref.kind); };
   std::size_t low = 0;
   std::size_t high = events.size();
   while (low < high) {
     const std::size_t middle = low + (high - low) / 2;
-    std::size_t k = middle;
-    while (k < high && !makesElementsOf(events[k], ref.kind)) ++k;
-    if (k == high) {
+    std::size_t k = events.next(middle, may);
+    while (k < high && !makesElementsOf(events.peek(k), ref.kind)) k = events.next(k + 1, may);
+    if (k >= high) {
       high = middle;
       continue;
     }
-    const Range range = madeBy(events[k], ref.kind);
+    const Range range = madeBy(events.peek(k), ref.kind);
     if (ref.id < range.first)
       high = middle;
     else if (ref.id - range.first < range.count)
@@ -108,22 +137,11 @@ std::optional<std::size_t> birthOf(Events events, Ref ref) {
 std::vector<std::size_t> eventsAbout(Events events, Ref ref) {
   if (ref.kind == Ref::Kind::event)
     return ref.id < events.size() ? std::vector<std::size_t>{ref.id} : std::vector<std::size_t>{};
+  const auto may = [ref](const Mentioned& mentioned) { return mayBeAbout(mentioned, ref); };
   std::vector<std::size_t> found;
-  for (std::size_t k = 0; k < events.size(); ++k)
-    if (isAbout(events[k], ref)) found.push_back(k);
+  for (std::size_t k = events.next(0, may); k < events.size(); k = events.next(k + 1, may))
+    if (isAbout(events.peek(k), ref)) found.push_back(k);
   return found;
-}
-
-std::optional<std::size_t> previousAbout(Events events, Ref ref, std::size_t at) {
-  for (std::size_t k = std::min(at, events.size()); k-- > 0;)
-    if (isAbout(events[k], ref)) return k;
-  return std::nullopt;
-}
-
-std::optional<std::size_t> nextAbout(Events events, Ref ref, std::size_t at) {
-  for (std::size_t k = at + 1; k < events.size(); ++k)
-    if (isAbout(events[k], ref)) return k;
-  return std::nullopt;
 }
 
 }  // namespace triscope

@@ -3,21 +3,21 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/debug/links.h"
 #include "core/event.h"
+#include "core/history/events.h"
 
 namespace triscope {
-
-/// Events from the first of the run on, so that an index is an event's number.
-using Events = std::span<const Event>;
 
 /// True when the event made the element.
 bool made(const Event& event, Ref ref);
 /// True when the event made the element, was proposed for it, judged it, changed it or ended it.
 bool isAbout(const Event& event, Ref ref);
+
+/// False when no event among those can be about the element.
+bool mayBeAbout(const Mentioned& events, Ref ref);
 
 /// The event that made the element. Ids are given out in order, so this is a binary search. Nothing for what no
 /// decision made (the box around everything, the root cell) and for what is not made yet.
@@ -25,8 +25,5 @@ std::optional<std::size_t> birthOf(Events events, Ref ref);
 
 /// Every event about the element, ascending. An event is about itself.
 std::vector<std::size_t> eventsAbout(Events events, Ref ref);
-/// The last before event `at`, and the first after it.
-std::optional<std::size_t> previousAbout(Events events, Ref ref, std::size_t at);
-std::optional<std::size_t> nextAbout(Events events, Ref ref, std::size_t at);
 
 }  // namespace triscope

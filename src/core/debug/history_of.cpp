@@ -19,10 +19,14 @@ bool alike(const Event& a, const Event& b) {
 void addMoves(Events events, const TriangleFacts& facts, std::vector<std::size_t>& indices) {
   if (indices.empty()) return;
   const std::size_t end = facts.death ? *facts.death : events.size();
-  for (std::size_t k = indices.front() + 1; k < end; ++k) {
-    if (events[k].kind != EventKind::vertex_moved) continue;
-    if (std::find(facts.corners.begin(), facts.corners.end(), events[k].vertex) != facts.corners.end())
-      indices.push_back(k);
+  const auto may = [&](const Mentioned& mentioned) {
+    return mentioned.has(EventKind::vertex_moved) &&
+           std::any_of(facts.corners.begin(), facts.corners.end(), [&](auto v) { return mentioned.vertex.has(v); });
+  };
+  for (std::size_t k = events.next(indices.front() + 1, may); k < end; k = events.next(k + 1, may)) {
+    const Event& e = events.peek(k);
+    if (e.kind != EventKind::vertex_moved) continue;
+    if (std::find(facts.corners.begin(), facts.corners.end(), e.vertex) != facts.corners.end()) indices.push_back(k);
   }
 }
 

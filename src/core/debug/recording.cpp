@@ -16,14 +16,22 @@ Recording::Recording(MeshState start, std::size_t budget) : state_(std::move(sta
   history_.restart(state_);
 }
 
+void Recording::keepBeat() {
+  events_.append(beat_);
+  beat_.clear();
+}
+
 bool Recording::pulse() { return ++beats_ % kBeatsPerPulse != 0 || !pulse_ || pulse_(state_); }
 
 template <class Reached>
 bool Recording::carryOn(Reached reached) {
-  Journal journal{&events_};
+  Journal journal{&beat_};
   while (!reached()) {
     const std::uint64_t tick = state_.tick;
-    if (!pulse() || !advance(state_, Grain::decision, journal)) return false;
+    if (!pulse()) return false;
+    const bool more = advance(state_, Grain::decision, journal);
+    keepBeat();
+    if (!more) return false;
     if (state_.tick > tick) history_.offer(state_, events_.size());
   }
   return true;
@@ -31,9 +39,10 @@ bool Recording::carryOn(Reached reached) {
 
 void Recording::returnTo(std::uint64_t tick) {
   const Keyframe& keyframe = history_.before(tick);
-  events_.resize(static_cast<std::size_t>(keyframe.events));
-  Journal journal{&events_};
+  events_.truncate(static_cast<std::size_t>(keyframe.events));
+  Journal journal{&beat_};
   state_ = history_.seek(tick, journal);
+  keepBeat();
 }
 
 bool Recording::toEnd() {
@@ -55,11 +64,12 @@ bool Recording::toEvent(std::size_t index) {
 
 bool Recording::toStage(Stage stage) {
   if (state_.stage > stage || (state_.stage == stage && state_.cursor.begun) || state_.round > 1) returnTo(0);
-  Journal journal{&events_};
+  Journal journal{&beat_};
   while (state_.stage != stage) {
     const std::uint64_t tick = state_.tick;
     if (over() || !pulse()) return false;
     advanceUntil(state_, Stage::refine, 1, journal);
+    keepBeat();
     if (state_.tick > tick) history_.offer(state_, events_.size());
   }
   return true;
@@ -69,7 +79,7 @@ std::optional<Hit> Recording::toNextHit(std::span<const Breakpoint> breakpoints,
   Watch watch(state_, breakpoints);
   std::vector<Hit> hits;
   while (pulse() && watch.step(hits)) {
-    events_.insert(events_.end(), watch.events().begin(), watch.events().end());
+    events_.append(watch.events());
     if (!over()) history_.offer(state_, events_.size());
     std::optional<Hit> stop;
     for (const Hit& hit : hits) {
@@ -96,8 +106,9 @@ std::size_t Recording::eventOf(const Hit& hit) const {
            e.subject == hit.event.subject && e.other == hit.event.other && e.vertex == hit.event.vertex &&
            e.round == hit.event.round && e.at == hit.event.at;
   };
-  const auto found = std::find_if(events_.rbegin(), events_.rend(), same);
-  return static_cast<std::size_t>(events_.rend() - found) - 1;
+  std::size_t k = events_.size();
+  while (k > 0 && !same(events_.peek(k - 1))) --k;
+  return k - 1;
 }
 
 }  // namespace triscope

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/debug/breakpoint.h"
+#include "core/history/events.h"
 #include "core/history/history.h"
 
 namespace triscope {
@@ -20,7 +21,7 @@ class Recording {
 
   [[nodiscard]] const MeshState& state() const { return state_; }
   /// Events up to the state, oldest first.
-  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  [[nodiscard]] const EventLog& events() const { return events_; }
   [[nodiscard]] const History& history() const { return history_; }
   [[nodiscard]] bool over() const { return state_.stage == Stage::finished; }
 
@@ -49,11 +50,13 @@ class Recording {
  private:
   template <class Reached>
   bool carryOn(Reached reached);
+  void keepBeat();
   void returnTo(std::uint64_t tick);
   bool pulse();
 
   MeshState state_;
-  std::vector<Event> events_;
+  EventLog events_;
+  std::vector<Event> beat_;  // events not yet in the log
   History history_;
   Pulse pulse_;
   std::uint64_t beats_ = 0;

@@ -25,11 +25,13 @@ void tellMoves(Events events, std::uint32_t vertex, std::size_t birth, Answer& a
   std::size_t kept = 0;
   std::size_t last = 0;
   std::optional<std::size_t> removal;
-  for (std::size_t k = birth + 1; k < events.size(); ++k) {
-    if (events[k].vertex != vertex) continue;
-    if (events[k].kind == EventKind::vertex_kept) ++kept;
-    if (events[k].kind == EventKind::vertex_removed) removal = k;
-    if (events[k].kind != EventKind::vertex_moved) continue;
+  const auto may = [vertex](const Mentioned& mentioned) { return mentioned.vertex.has(vertex); };
+  for (std::size_t k = events.next(birth + 1, may); k < events.size(); k = events.next(k + 1, may)) {
+    const Event& e = events.peek(k);
+    if (e.vertex != vertex) continue;
+    if (e.kind == EventKind::vertex_kept) ++kept;
+    if (e.kind == EventKind::vertex_removed) removal = k;
+    if (e.kind != EventKind::vertex_moved) continue;
     ++moves;
     last = k;
   }

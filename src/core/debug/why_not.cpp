@@ -62,8 +62,9 @@ bool alike(const Event& a, const Event& b) {
 }
 
 void add(Events events, std::size_t index, std::vector<Outcomes>& list) {
+  const Event now = events.peek(index);
   const auto same =
-      std::find_if(list.begin(), list.end(), [&](const Outcomes& o) { return alike(events[o.first], events[index]); });
+      std::find_if(list.begin(), list.end(), [&](const Outcomes& o) { return alike(events.peek(o.first), now); });
   if (same == list.end()) {
     list.push_back({index, index, 1});
   } else {
@@ -74,11 +75,17 @@ void add(Events events, std::size_t index, std::vector<Outcomes>& list) {
 
 Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const TriangleFacts& facts) {
   Review review;
-  for (std::size_t k = 0; k < birth; ++k) {
-    if (life[k].kind == EventKind::stage_finished) review.endedBefore[static_cast<std::size_t>(life[k].stage)] = true;
+  const auto mayEnd = [](const Mentioned& mentioned) { return mentioned.has(EventKind::stage_finished); };
+  for (std::size_t k = life.next(0, mayEnd); k < birth; k = life.next(k + 1, mayEnd)) {
+    const Event& e = life.peek(k);
+    if (e.kind == EventKind::stage_finished) review.endedBefore[static_cast<std::size_t>(e.stage)] = true;
   }
-  for (std::size_t k = birth; k < life.size(); ++k) {
-    const Event& e = life[k];
+  const auto may = [&](const Mentioned& mentioned) {
+    return mayEnd(mentioned) || mayBeAbout(mentioned, {Ref::Kind::triangle, triangle}) ||
+           std::any_of(facts.corners.begin(), facts.corners.end(), [&](auto v) { return mentioned.vertex.has(v); });
+  };
+  for (std::size_t k = life.next(birth, may); k < life.size(); k = life.next(k + 1, may)) {
+    const Event& e = life.peek(k);
     if (e.kind == EventKind::stage_finished) review.ended[static_cast<std::size_t>(e.stage)] = k;
     if (!isProposal(e.kind) || !isFor(e, triangle, facts)) continue;
     const auto trial = std::find_if(kTrials.begin(), kTrials.end(), [&](const Trial& t) { return t.rule == e.rule; });
