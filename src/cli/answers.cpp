@@ -73,7 +73,7 @@ std::vector<Line> linesOf(const Stop& stop, const Print& print, const Quality& q
     case Print::What::events:
       return eventLines(recording, print);
     case Print::What::why:
-      return why(events, print.ref);
+      return why(events, print.ref, factsAt(recording, print.ref));
     case Print::What::whynot:
       return whyNot(events, print.ref.id, factsAt(recording, print.ref));
     case Print::What::history:

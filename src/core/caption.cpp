@@ -104,6 +104,8 @@ std::string refusalOf(const Event& e) {
     case Refusal::too_close:
     case Refusal::edge_below_minimum:
       return fmt::format("{} ({} < {})", why, number(e.measured), number(e.limit));
+    case Refusal::star_worse:  // in aspect ratio, or else in one of the measures that the event does not name
+      return e.measured > e.limit ? fmt::format("{} (aspect ratio {:.4g}, now {:.4g})", why, e.measured, e.limit) : why;
     default:
       return why;
   }

@@ -82,6 +82,11 @@ auto entry(const Table& table, Enum value) {
 
 }  // namespace
 
+bool placesVertex(const Event& event) {
+  return event.vertex != kNoId && (event.kind == EventKind::vertex_inserted || event.kind == EventKind::edge_split ||
+                                   event.kind == EventKind::vertex_moved);
+}
+
 std::string_view name(EventKind kind) { return entry(kKindNames, kind); }
 std::string_view name(Rule rule) { return entry(kRules, rule).name; }
 std::string_view describe(Rule rule) { return entry(kRules, rule).description; }

@@ -91,6 +91,9 @@ struct Event {
   Point from;
 };
 
+/// True when the event puts its vertex at Event::at.
+bool placesVertex(const Event& event);
+
 /// Where events go. A run without a listener makes none: guard with `if (journal.listening())`.
 struct Journal {
   std::vector<Event>* events = nullptr;

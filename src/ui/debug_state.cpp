@@ -37,7 +37,7 @@ void update(Answers& answers, const Session& session, const std::optional<Ref>& 
     facts = factsOf(now->state.mesh, about->id).value_or(TriangleFacts{});
     answers.whyNot = whyNot(events, about->id, facts);
   }
-  answers.why = why(events, *about);
+  answers.why = why(events, *about, facts);
   answers.history = historyOf(events, *about, facts);
   // Beyond the current decision the run may be known already.
   const Events run = session.runEvents();

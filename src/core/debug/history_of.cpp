@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/debug/answer.h"
+#include "core/debug/shape_story.h"
 #include "core/debug/why.h"
 
 namespace triscope {
@@ -15,19 +16,12 @@ bool alike(const Event& a, const Event& b) {
   return isRefusal(a) && a.kind == b.kind && a.rule == b.rule && a.refusal == b.refusal;
 }
 
-/// Adds the moves of a triangle's corners during its life.
-void addMoves(Events events, const TriangleFacts& facts, std::vector<std::size_t>& indices) {
-  if (indices.empty()) return;
-  const std::size_t end = facts.death ? *facts.death : events.size();
-  const auto may = [&](const Mentioned& mentioned) {
-    return mentioned.has(EventKind::vertex_moved) &&
-           std::any_of(facts.corners.begin(), facts.corners.end(), [&](auto v) { return mentioned.vertex.has(v); });
-  };
-  for (std::size_t k = events.next(indices.front() + 1, may); k < end; k = events.next(k + 1, may)) {
-    const Event& e = events.peek(k);
-    if (e.kind != EventKind::vertex_moved) continue;
-    if (std::find(facts.corners.begin(), facts.corners.end(), e.vertex) != facts.corners.end()) indices.push_back(k);
-  }
+/// What an event made of the triangle's own shape; nothing when it moved no corner.
+std::string changeOf(const ShapeStory& story, std::size_t event) {
+  const auto move = std::find_if(story.moves.begin(), story.moves.end(),
+                                 [event](const ShapeChange& change) { return change.event == event; });
+  if (move == story.moves.end()) return {};
+  return fmt::format(" This triangle's went from {:.4g} to {:.4g}.", move->before, move->after);
 }
 
 }  // namespace
@@ -35,10 +29,14 @@ void addMoves(Events events, const TriangleFacts& facts, std::vector<std::size_t
 std::vector<Line> historyOf(Events events, Ref ref, const TriangleFacts& facts) {
   Answer answer(events);
   std::vector<std::size_t> indices = eventsAbout(events, ref);
-  if (!birthOf(events, ref)) answer.say(withoutBirth(events, ref));
+  const std::optional<std::size_t> birth = birthOf(events, ref);
+  if (!birth) answer.say(withoutBirth(events, ref));
+  std::optional<ShapeStory> story;
   if (ref.kind == Ref::Kind::triangle) {
     if (facts.death) indices.erase(std::remove(indices.begin(), indices.end(), *facts.death), indices.end());
-    addMoves(events, facts, indices);
+    if (birth) story = shapeStoryOf(events, *birth, facts);
+    if (story)
+      for (const ShapeChange& move : story->moves) indices.push_back(move.event);
     std::sort(indices.begin(), indices.end());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   }
@@ -47,6 +45,7 @@ std::vector<Line> historyOf(Events events, Ref ref, const TriangleFacts& facts) 
     while (last + 1 < indices.size() && alike(events[indices[k]], events[indices[last + 1]])) ++last;
     std::string text = told(events, indices[last]);
     if (last > k) text += fmt::format(" The last of {} times since event {}.", last - k + 1, indices[k]);
+    if (story) text += changeOf(*story, indices[last]);
     answer.say(text);
     k = last + 1;
   }

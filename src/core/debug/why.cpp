@@ -2,8 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/caption.h"
+#include "core/counted.h"
 #include "core/debug/answer.h"
+#include "core/debug/shape_story.h"
 
 namespace triscope {
 namespace {
@@ -43,11 +48,27 @@ void tellMoves(Events events, std::uint32_t vertex, std::size_t birth, Answer& a
   if (removal) answer.tell(*removal, 1);
 }
 
+/// What moves have made of a triangle since its birth.
+void tellShape(const ShapeStory& story, Answer& answer) {
+  std::string text = fmt::format("Its aspect ratio R/r was {:.4g} when it was made", story.atBirth);
+  if (story.moves.empty()) {
+    answer.say(text + " and is the same now: no corner has moved.");
+    return;
+  }
+  const auto change = [](const ShapeChange& move) { return std::fabs(move.after - move.before); };
+  const auto most = std::max_element(story.moves.begin(), story.moves.end(),
+                                     [&](const auto& a, const auto& b) { return change(a) < change(b); });
+  text += fmt::format(" and is {:.4g} now, after {}", story.moves.back().after,
+                      counted(story.moves.size(), "move of its corners", "moves of its corners"));
+  if (story.moves.size() > 1) text += ", the largest";
+  answer.say(text + fmt::format(" by event {} ({:.4g} to {:.4g}).", most->event, most->before, most->after));
+}
+
 }  // namespace
 
 Line lineOf(Events events, std::size_t index) { return linked(told(events, index)); }
 
-std::vector<Line> why(Events events, Ref ref) {
+std::vector<Line> why(Events events, Ref ref, const TriangleFacts& facts) {
   Answer answer(events);
   const std::optional<std::size_t> birth = birthOf(events, ref);
   const bool cell = ref.kind == Ref::Kind::cell;
@@ -60,6 +81,9 @@ std::vector<Line> why(Events events, Ref ref) {
     if (ref.kind != Ref::Kind::event) answer.say(siblings(events[*birth], ref));
   } else {
     answer.say(withoutBirth(events, ref));
+  }
+  if (ref.kind == Ref::Kind::triangle && birth) {
+    if (const auto story = shapeStoryOf(events, *birth, facts)) tellShape(*story, answer);
   }
   if (ref.kind == Ref::Kind::vertex && birth) tellMoves(events, ref.id, *birth, answer);
   return answer.take();

@@ -19,8 +19,9 @@ struct TriangleFacts {
 };
 
 /// What made the element, and what made that: the rule, with the values it measured and the limits it held them
-/// against. A cell's answer leads back to the constraint that asked for its density.
-std::vector<Line> why(Events events, Ref ref);
+/// against. A cell's answer leads back to the constraint that asked for its density; a triangle's, with the corners
+/// known, tells how it came by its shape.
+std::vector<Line> why(Events events, Ref ref, const TriangleFacts& facts = {});
 
 /// Every rule that had a look at the triangle, what it proposed with its figures, and why that was refused; a rule that
 /// found nothing to propose, or has not looked yet, is named too.

@@ -12,12 +12,6 @@ bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == st
 
 bool sameBits(Point a, Point b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
 
-/// True when the event puts its vertex at Event::at.
-bool places(const Event& e) {
-  return e.vertex != kNoId &&
-         (e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split || e.kind == EventKind::vertex_moved);
-}
-
 bool tellsFrom(const Event& e) { return e.kind == EventKind::vertex_moved || e.kind == EventKind::vertex_kept; }
 
 }  // namespace
@@ -45,7 +39,7 @@ void EventLog::add(const Event& event) {
   const bool known = tellsFrom(event) && last != kNowhere;
   tail_.push_back({event, known ? static_cast<std::uint32_t>(index - last) : 0});
   // Some event made each vertex: a number beyond theirs is of none that was made here.
-  if (places(event) && event.vertex <= index + kBoxVertices) {
+  if (placesVertex(event) && event.vertex <= index + kBoxVertices) {
     if (event.vertex >= placed_.size()) placed_.resize(event.vertex + std::size_t{1}, kNowhere);
     placed_[event.vertex] = static_cast<std::uint32_t>(index);
   }
@@ -75,7 +69,7 @@ void EventLog::truncate(std::size_t count) {
   for (std::size_t k = size(); k-- > count;) {
     const Unpacked& dropped = unpacked(k);
     const Event& e = dropped.event;
-    if (!places(e) || e.vertex >= placed_.size() || placed_[e.vertex] != k) continue;
+    if (!placesVertex(e) || e.vertex >= placed_.size() || placed_[e.vertex] != k) continue;
     placed_[e.vertex] = dropped.back > 0 ? static_cast<std::uint32_t>(k - dropped.back) : kNowhere;
   }
   if (count >= packedSize()) {
