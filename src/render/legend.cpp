@@ -71,6 +71,12 @@ LegendItem fillItem(Color fill, std::string label, std::string value = {}) {
   return result;
 }
 
+LegendItem lineItem(Sample sample, LineStyle line, std::string label, std::string value = {}) {
+  LegendItem result = item(sample, std::move(label), std::move(value));
+  result.line = line;
+  return result;
+}
+
 LegendItem rankRamp(const SceneInput& in) {
   const RankRange range = rankRange(in.state.tree);
   LegendItem ramp = item(Sample::ramp, "density rank");
@@ -198,15 +204,52 @@ void addWorst(const SceneInput& in, std::vector<LegendItem>& legend) {
                                  {"worst edge ratio", in.quality->edgeRatioMax, Bounds::edgeRatio}}};
   for (int i = 0; i < 3; ++i) {
     const Row& row = rows[static_cast<std::size_t>(i)];
-    LegendItem entry = item(
-        Sample::circle, row.label,
-        fmt::format("{} {} {}", besideBound(row.value, row.bound, 2), row.value < row.bound ? "<" : "≥", row.bound));
-    entry.line = worstStyle(in.theme, i);
-    legend.push_back(std::move(entry));
+    legend.push_back(lineItem(
+        Sample::circle, worstStyle(in.theme, i), row.label,
+        fmt::format("{} {} {}", besideBound(row.value, row.bound, 2), row.value < row.bound ? "<" : "≥", row.bound)));
+  }
+}
+
+/// What a phase of an insertion draws.
+void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
+  const Insertion& insertion = *in.insertion->insertion;
+  const Theme& theme = in.theme;
+  const bool circumcircle = insertion.candidate >= 0 && insertion.event.rule != Rule::step5;
+  switch (in.insertion->phase) {
+    case InsertionPhase::candidate:
+      if (insertion.candidate >= 0) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
+      if (insertion.splits >= 0)
+        legend.push_back(
+            lineItem(Sample::line, {theme.candidate, 2.6f, Dash::solid, false}, "boundary edge to be split"));
+      if (!insertion.measured) break;
+      legend.push_back(
+          lineItem(circumcircle ? Sample::circle : Sample::line, {theme.candidate, 1.6f, Dash::solid, false},
+                   circumcircle ? "circumcircle, R" : "measured length", compact(insertion.measured->length)));
+      legend.push_back(lineItem(Sample::circle, {theme.refused, 1.6f, Dash::dashed, false}, "limit",
+                                compact(insertion.measured->limit)));
+      break;
+    case InsertionPhase::walk:
+      if (insertion.candidate >= 0) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
+      if (insertion.walk.empty()) break;
+      legend.push_back(lineItem(Sample::line, {theme.candidate, 2.2f, Dash::solid, false}, "walk"));
+      legend.push_back(fillItem(faded(theme.selection, 0.28), "triangles on the way", grouped(insertion.walk.size())));
+      break;
+    case InsertionPhase::cavity: {
+      LegendItem gone = item(Sample::hatch, "cavity: gives way", grouped(insertion.cavity.triangles.size()));
+      gone.fill = theme.removed;
+      legend.push_back(std::move(gone));
+      legend.push_back(lineItem(Sample::circle, cavityCircle(theme), "their circumcircles"));
+      legend.push_back(lineItem(Sample::line, {theme.created, 2.2f, Dash::solid, false}, "rim: edges that stay",
+                                grouped(insertion.cavity.rim.size())));
+      break;
+    }
+    case InsertionPhase::filled:
+      break;
   }
 }
 
 void addDecision(const SceneInput& in, std::vector<LegendItem>& legend) {
+  if (in.insertion != nullptr) return addPhase(in, legend);
   if (!in.options.decision || in.current == nullptr) return;
   const EventKind kind = in.current->kind;
   const bool inserts = kind == EventKind::vertex_inserted || kind == EventKind::edge_split;
@@ -214,9 +257,7 @@ void addDecision(const SceneInput& in, std::vector<LegendItem>& legend) {
   LegendItem made = item(Sample::hatch, kind == EventKind::vertex_moved ? "changed by this decision" : "new triangles");
   made.fill = in.theme.created;
   legend.push_back(std::move(made));
-  LegendItem gone = item(Sample::line, "removed edges");
-  gone.line = {in.theme.removed, 1.6f, Dash::dotted, false};
-  legend.push_back(std::move(gone));
+  legend.push_back(lineItem(Sample::line, {in.theme.removed, 1.6f, Dash::dotted, false}, "removed edges"));
 }
 
 }  // namespace

@@ -86,10 +86,7 @@ void addCavity(const SceneInput& in, Layer& layer) {
     const Triangle& t = triangleAt(mesh, slot);
     const Circumcircle circle = circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
     if (std::isfinite(circle.squaredRadius))
-      layer.circles.push_back({circle.centre,
-                               std::sqrt(circle.squaredRadius),
-                               0.0f,
-                               {faded(in.theme.removed, 0.55), 1.0f, Dash::dotted, false}});
+      layer.circles.push_back({circle.centre, std::sqrt(circle.squaredRadius), 0.0f, cavityCircle(in.theme)});
   }
   LineBatch rim;
   rim.style = {in.theme.created, 2.2f, Dash::solid, false};
@@ -103,6 +100,8 @@ void addCavity(const SceneInput& in, Layer& layer) {
 }
 
 }  // namespace
+
+LineStyle cavityCircle(const Theme& theme) { return {faded(theme.removed, 0.8), 1.3f, Dash::dotted, false}; }
 
 void buildInsertion(const SceneInput& in, Layer& layer) {
   switch (in.insertion->phase) {

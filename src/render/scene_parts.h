@@ -49,6 +49,9 @@ std::array<SourceStyle, kSourceCount> sourceStyles(const Theme& theme);
 /// Styles of the three circles of Figure 4.
 LineStyle worstStyle(const Theme& theme, int which);  // 0 aspect, 1 area ratio, 2 edge ratio
 
+/// Of the circumcircles of a cavity's triangles.
+LineStyle cavityCircle(const Theme& theme);
+
 /// The measure that a fill shows: its value for every slot (dead slots: 0), and the ends of its colour scale.
 /// `good` is the value of the equilateral triangle (or a uniform mesh), `bound` the paper's limit.
 struct MeasureScale {

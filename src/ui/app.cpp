@@ -120,14 +120,13 @@ void App::followRun() {
   if (!session_.busy() && !tuning_)
     while (!ui_.undo.empty() && ui_.undo.back() == inForce()) ui_.undo.pop_back();
   if (ui_.density.request && *ui_.density.request >= session_.domain()->density.size()) ui_.density.request.reset();
-  followStage();
   resolveSelection();
   keepInRange();
 }
 
 void App::followStage() {
   if (!ui_.layersFollow || !shown_) return;
-  const ViewOptions figure = figureView(stageOf(*shown_));
+  const ViewOptions figure = figureView(view().stage());
   ui_.options.quadtree = figure.quadtree;
   ui_.options.constraints = figure.constraints;
 }
@@ -199,6 +198,7 @@ void App::frame() {
   windowSize_ = size;
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
   placeLegend(layout);
+  followStage();
   followPinned();
   drawPicture(layout.canvas);
   updateAnswers();
@@ -240,8 +240,9 @@ void App::drawPicture(const Region& region) {
     options.dimmed = session_.stale();
     options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
     const InsertionUi& insertion = ui_.insertion;
-    const bool inside = view().inInsertion() && insertion.phase != InsertionPhase::filled;
-    options.worst = options.worst && !inside;  // their circles would be taken for the insertion's
+    const bool entered = view().inInsertion();
+    const bool inside = entered && insertion.phase != InsertionPhase::filled;
+    options.worst = options.worst && !entered;  // their circles would be taken for the insertion's
     const InsertionView shown{insertion.now.get(), insertion.phase};
     updateScene(scene_, now->state, options, now->last ? &*now->last : nullptr, &now->quality,
                 inside ? &shown : nullptr);

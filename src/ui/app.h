@@ -79,6 +79,16 @@ class App {
     std::size_t vertices = 0;                          // when it began
     std::uint64_t events = 0;                          // of the state after
   };
+  /// The camera has gone near an insertion that is stepped through.
+  struct Near {
+    Camera before;
+    bool fitted = false;  // it showed the whole domain then
+    Camera camera;        // where it went
+    /// Whether `now` is still there: the window's size may have changed.
+    [[nodiscard]] bool isAt(const Camera& now) const {
+      return now.centre == camera.centre && now.scale == camera.scale;
+    }
+  };
   /// A session on its way from the file to the window.
   struct Opening {
     std::shared_ptr<const Domain> domain;
@@ -146,6 +156,8 @@ class App {
   void takeApartHere();
   void showPhase(InsertionPhase phase);
   void followInsertion();
+  void goNear(const Insertion& insertion);
+  void leaveInsertion();
   void openDialog(Dialog dialog);
   void openFile(const std::string& path);
   void openSession(SessionFile file, const std::string& path, std::optional<KeptWork> kept);
@@ -189,6 +201,7 @@ class App {
   std::optional<Opening> opening_;        // while it is made
   std::shared_ptr<const Domain> edited_;  // made by the last edit of the density
   Entering entering_;
+  std::optional<Near> near_;
   StateFile stateFile_;
   std::string preferencesPath_;
   Appearance savedLook_;

@@ -1,6 +1,7 @@
 // Stepping through one insertion. The state before it and the one after are the session's, as everywhere: the phases
-// are what takeApart() finds in the one before.
+// are what takeApart() finds in the one before. The camera goes near where that is needed, and back afterwards.
 #include <algorithm>
+#include <utility>
 
 #include "core/geometry/circumcircle.h"
 #include "core/mesh/edit.h"
@@ -11,7 +12,25 @@ namespace {
 
 using Phase = InsertionPhase;
 
+// What was measured is too small to read below this width, in pixels at 100 % …
+constexpr double kLeast = 120.0;
+// … and in a small canvas below this part of its smaller side.
+constexpr double kLeastShare = 0.33;
+// The part of it that it fills once the camera has gone near.
+constexpr double kShare = 0.42;
+
 Phase next(Phase phase, int by) { return static_cast<Phase>(static_cast<int>(phase) + by); }
+
+/// The circles about what was measured; empty where nothing was.
+Box circlesOf(const Insertion& insertion) {
+  Box box;
+  if (!insertion.measured) return box;
+  const Measured& m = *insertion.measured;
+  const double reach = std::max(m.limit, distance(m.from, m.to));
+  box.include(m.from - Point{reach, reach});
+  box.include(m.from + Point{reach, reach});
+  return box;
+}
 
 /// What the phases show: candidate, walk, cavity and the circles about the point.
 Box extentOf(const Insertion& insertion, const Mesh& mesh) {
@@ -23,17 +42,30 @@ Box extentOf(const Insertion& insertion, const Mesh& mesh) {
   if (insertion.candidate >= 0) add(insertion.candidate);
   for (const std::int32_t slot : insertion.walk) add(slot);
   for (const std::int32_t slot : insertion.cavity.triangles) add(slot);
-  if (insertion.measured) {
-    const double reach =
-        std::max(insertion.measured->limit, distance(insertion.measured->from, insertion.measured->to));
-    box.include(insertion.measured->from - Point{reach, reach});
-    box.include(insertion.measured->from + Point{reach, reach});
+  if (const Box circles = circlesOf(insertion); !circles.empty()) {
+    box.include(circles.lo);
+    box.include(circles.hi);
   }
   return box;
 }
 
 bool inside(const Box& inner, const Box& outer) {
   return inner.lo.x >= outer.lo.x && inner.lo.y >= outer.lo.y && inner.hi.x <= outer.hi.x && inner.hi.y <= outer.hi.y;
+}
+
+double sizeOf(const Box& box) { return std::max(box.width(), box.height()); }
+
+/// `focus` at its share of the picture, or less where all of `extent` is to be seen with it; never below `least`
+/// pixels.
+Camera cameraOn(Camera camera, const Box& focus, const Box& extent, double least) {
+  const Point middle = midpoint(focus.lo, focus.hi);
+  const Point out{std::max(extent.hi.x - middle.x, middle.x - extent.lo.x),
+                  std::max(extent.hi.y - middle.y, middle.y - extent.lo.y)};
+  const double smaller = std::min(camera.width, camera.height);
+  const Camera whole = fitted({middle - out, middle + out}, camera.width, camera.height, 0.06 * smaller);
+  camera.centre = middle;
+  camera.scale = std::max(std::min(whole.scale, kShare * smaller / sizeOf(focus)), least / sizeOf(focus));
+  return camera;
 }
 
 }  // namespace
@@ -79,7 +111,7 @@ void App::takeApartHere() {
   }
   if (!apart) {
     const std::uint64_t after = insertion.after;
-    insertion = {};
+    leaveInsertion();
     run(command::Seek{after});
     ui_.message =
         "This insertion cannot be taken apart: the state before it has no triangulation, or it is the second of two "
@@ -91,12 +123,7 @@ void App::takeApartHere() {
     insertion.captions[static_cast<std::size_t>(k) - 1] = captionOf(*apart, mesh, static_cast<Phase>(k));
   insertion.now = std::make_shared<const Insertion>(std::move(*apart));
   insertion.phase = phase;
-  // Where it would be too small to see, or is out of view, the camera follows.
-  const Box extent = extentOf(*insertion.now, mesh);
-  constexpr double kLeast = 60.0;  // pixels at 100 %
-  const double size = std::max(extent.width(), extent.height());
-  if (size * ui_.camera.scale < kLeast * ui_.scale() || !inside(extent, visibleBox(ui_.camera)))
-    frameBox(extent, 0.2 * std::min(ui_.camera.width, ui_.camera.height) / ui_.scale());
+  goNear(*insertion.now);
   if (phase == Phase::filled) run(command::Seek{insertion.after});
 }
 
@@ -108,6 +135,29 @@ void App::showPhase(Phase phase) {
   if (shown_->state.tick != tick) run(command::Seek{tick});
 }
 
+/// Where it would be too small to read, or is out of view, the camera follows.
+void App::goNear(const Insertion& insertion) {
+  const Box extent = extentOf(insertion, shown_->state.mesh);
+  const Box circles = circlesOf(insertion);
+  const Box& focus = circles.empty() ? extent : circles;
+  if (sizeOf(focus) <= 0.0) return;
+  const double least = std::min(kLeast * ui_.scale(), kLeastShare * std::min(ui_.camera.width, ui_.camera.height));
+  if (sizeOf(focus) * ui_.camera.scale >= least && inside(extent, visibleBox(ui_.camera))) return;
+  const bool moved = !near_ || !near_->isAt(ui_.camera);
+  if (moved) near_ = Near{ui_.camera, fitted_, {}};
+  ui_.camera = near_->camera = cameraOn(ui_.camera, focus, extent, least);
+  fitted_ = false;
+}
+
+void App::leaveInsertion() {
+  ui_.insertion = {};
+  // Unless it has been moved by hand meanwhile, the camera goes back to where it was.
+  if (const std::optional<Near> was = std::exchange(near_, std::nullopt); was && was->isAt(ui_.camera)) {
+    ui_.camera = resized(was->before, ui_.camera.width, ui_.camera.height);
+    fitted_ = was->fitted;
+  }
+}
+
 void App::followInsertion() {
   if (shown_ == nullptr || session_.busy() || session_.stale()) return;
   InsertionUi& insertion = ui_.insertion;
@@ -116,7 +166,7 @@ void App::followInsertion() {
       const bool inserted = shown_->state.tick > 0 && shown_->state.mesh.points.size() > entering_.vertices;
       if (inserted) return enterInsertion(entering_.phase);
       entering_ = {};
-      insertion = {};
+      leaveInsertion();
       ui_.message = "No further point is inserted.";
       return;
     }
@@ -124,7 +174,7 @@ void App::followInsertion() {
       return takeApartHere();
     case Entering::Step::none: {
       const std::uint64_t tick = insertion.phase == Phase::filled ? insertion.after : insertion.after - 1;
-      if (insertion.now && shown_->state.tick != tick) insertion = {};  // it was left
+      if (insertion.now && shown_->state.tick != tick) leaveInsertion();
       return;
     }
   }

@@ -22,10 +22,7 @@ void App::carryOut(const Order& order) {
     void operator()(Action action) const { app.perform(action); }
     void operator()(const Command& command) const { app.apply(command); }
     void operator()(const ViewOptions& options) const { app.ui_.options = options; }
-    void operator()(const order::LayersFollow& o) const {
-      app.ui_.layersFollow = o.on;
-      app.followStage();
-    }
+    void operator()(const order::LayersFollow& o) const { app.ui_.layersFollow = o.on; }
     void operator()(const Camera& camera) const {
       app.ui_.camera = camera;
       app.fitted_ = false;
@@ -116,7 +113,7 @@ void App::remember(const Edit& before) {
 }
 
 void App::bring(const Edit& edit) {
-  ui_.insertion = {};
+  leaveInsertion();
   entering_ = {};
   if (edit.domain == session_.domain()) {
     session_.apply(command::Change{edit.settings});
@@ -323,7 +320,7 @@ void App::cancel() {
   else if (ui_.sweep.making)
     sweep_.cancel();
   else if (ui_.insertion.now)
-    ui_.insertion = {};
+    leaveInsertion();
   else if (ui_.density.placing)
     togglePlacing();
   else if (ui_.options.brush.on)

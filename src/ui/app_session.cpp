@@ -56,6 +56,7 @@ void App::beginDocument() {
   sweep_.cancel();
   select({});
   ui_.insertion = {};
+  near_.reset();
   entering_ = {};
   ui_.density = {};
   ui_.undo.clear();

@@ -54,10 +54,6 @@ void figureOf(const StageInfo& info) {
     ImGui::NewLine();
 }
 
-Stage stageTold(const View& view) {
-  return view.inInsertion() ? view.ui.insertion.now->event.stage : stageOf(*view.now());
-}
-
 }  // namespace
 
 std::string captionNow(const View& view) {
@@ -77,16 +73,16 @@ void drawCaption(const View& view, Orders&) {
   const Snapshot* const now = view.now();
   const bool titled = now != nullptr && ImGui::GetContentRegionAvail().y > 2.5f * ImGui::GetTextLineHeight();
   if (titled) {
-    const StageInfo& info = infoOf(stageTold(view));
+    const StageInfo& info = infoOf(view.stage());
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddCircleFilled({at.x + view.px(6), at.y + 0.55f * ImGui::GetTextLineHeight()},
                                                 view.px(5), toImU32(stageColor(view.theme(), info.id)));
     ImGui::Indent(view.px(20));
     ImGui::PushFont(view.fonts.strong);
     std::string title(info.name);
-    if (now->state.round > 0 && info.id >= Stage::step2 && info.id <= Stage::step5)
-      title += fmt::format(", round {}", now->state.round);
-    if (now->state.round > 0 && info.id == Stage::refine) title += fmt::format(", pass {}", now->state.round);
+    if (view.round() > 0 && info.id >= Stage::step2 && info.id <= Stage::step5)
+      title += fmt::format(", round {}", view.round());
+    if (view.round() > 0 && info.id == Stage::refine) title += fmt::format(", pass {}", view.round());
     ImGui::TextUnformatted(title.c_str());
     ImGui::PopFont();
     ImGui::SameLine();

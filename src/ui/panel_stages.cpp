@@ -59,10 +59,14 @@ std::string countsInWords(const StageCounts& c) {
                      grouped(c.inserted), grouped(c.removed), grouped(c.moved), grouped(c.refused));
 }
 
+/// Inside an insertion the state is the one before it, which may be of an earlier stage.
+Stage currentStage(const View& view, const MeshState& state) {
+  return view.inInsertion() ? view.ui.insertion.now->event.stage : state.stage;
+}
+
 /// What is drawn over one row: a dot, the name, the rule where it fits, the counts; below the current stage, what it
 /// does.
-void paint(const View& view, const StageInfo& info, const MeshState* state, ImVec2 at, float width) {
-  const bool current = state != nullptr && state->stage == info.id;
+void paint(const View& view, const StageInfo& info, const MeshState* state, bool current, ImVec2 at, float width) {
   const StageCounts counts = state != nullptr ? state->counts[static_cast<std::size_t>(info.id)] : StageCounts{};
   const bool reached = current || counts.decisions > 0 || (state != nullptr && info.id < state->stage);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -95,7 +99,7 @@ void paint(const View& view, const StageInfo& info, const MeshState* state, ImVe
 }
 
 void row(const View& view, Orders& orders, const StageInfo& info, const MeshState* state) {
-  const bool current = state != nullptr && state->stage == info.id;
+  const bool current = state != nullptr && currentStage(view, *state) == info.id;
   const std::string name(info.name);
   const std::string does(info.does);
   const float width = ImGui::GetContentRegionAvail().x;
@@ -113,6 +117,7 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
   }
   ImGui::PopID();
   note(view, "stage." + std::string(info.key));
+  if (current) note(view, "stage.current");
   std::string hint = std::string(does) + ".";
   hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
   if (!info.figure.empty()) hint += " " + std::string(info.figure) + " of the paper.";
@@ -126,16 +131,16 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
     memory.SetInt(shown, static_cast<int>(info.id));
     ImGui::SetScrollHereY(0.5f);
   }
-  paint(view, info, state, at, width);
+  paint(view, info, state, current, at, width);
 }
 
 }  // namespace
 
 void drawStages(const View& view, Orders& orders) {
   const MeshState* const state = view.now() != nullptr ? &view.now()->state : nullptr;
-  if (state != nullptr && state->round > 0)
-    muted(view, state->stage == Stage::refine ? fmt::format("Pass {} of step 6", state->round)
-                                              : fmt::format("Round {} of steps 2 to 5", state->round));
+  if (state != nullptr && view.round() > 0)
+    muted(view, state->stage == Stage::refine ? fmt::format("Pass {} of step 6", view.round())
+                                              : fmt::format("Round {} of steps 2 to 5", view.round()));
   for (const StageInfo& info : stages()) row(view, orders, info, state);
 }
 

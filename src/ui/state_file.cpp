@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -216,6 +217,8 @@ std::string insertion(const View& view) {
       .number("x", ui.now->at.x)
       .number("y", ui.now->at.y)
       .number("vertex", ui.now->event.vertex)
+      .text("stage", infoOf(ui.now->event.stage).key)
+      .number("reach", ui.now->measured ? std::max(ui.now->measured->length, ui.now->measured->limit) : 0.0)
       .number("walk", static_cast<double>(ui.now->walk.size()))
       .number("cavity", static_cast<double>(ui.now->cavity.triangles.size()))
       .str();

@@ -125,6 +125,10 @@ struct View {
     if (insertion.now == nullptr || now() == nullptr || session.stale()) return false;
     return now()->state.tick == (insertion.phase == InsertionPhase::filled ? insertion.after : insertion.after - 1);
   }
+  /// The stage that is told of: inside an insertion its own, whatever came before it. There must be a mesh.
+  [[nodiscard]] Stage stage() const { return inInsertion() ? ui.insertion.now->event.stage : stageOf(*now()); }
+  /// Of steps 2 to 5, or the pass of step 6, likewise.
+  [[nodiscard]] int round() const { return inInsertion() ? ui.insertion.now->event.round : now()->state.round; }
   /// Pixels for a length at 100 %.
   [[nodiscard]] float px(double at100) const { return static_cast<float>(at100 * ui.scale()); }
 };

@@ -231,6 +231,46 @@ TEST(Scene, BrushedAndObtuseTrianglesStandOut) {
   EXPECT_EQ(legendItem(scene, open)->value, std::to_string(worst));
 }
 
+TEST(Scene, TheLegendOfAPhaseIsOfWhatThePhaseDraws) {
+  MeshState state = sample::after(sample::kFrame, Stage::front2);
+  std::vector<Event> events;
+  MeshState before = state;
+  while (events.empty() || !inserts(events.back())) {
+    before = state;
+    events.clear();
+    Journal journal{&events};
+    ASSERT_TRUE(advance(state, Grain::decision, journal));
+  }
+  const Event earlier = [] {
+    Event event;  // what led to the state before: of no concern inside the insertion
+    event.kind = EventKind::vertex_inserted;
+    return event;
+  }();
+  const std::optional<Insertion> apart = takeApart(before, events.back());
+  ASSERT_TRUE(apart && apart->measured);
+  const auto sceneOf = [&](InsertionPhase phase) {
+    Scene scene;
+    const InsertionView shown{&*apart, phase};
+    updateScene(scene, before, {}, &earlier, nullptr, &shown);
+    return scene;
+  };
+  for (const InsertionPhase phase : {InsertionPhase::candidate, InsertionPhase::walk, InsertionPhase::cavity}) {
+    const Scene scene = sceneOf(phase);
+    EXPECT_EQ(legendItem(scene, "new triangles"), nullptr) << name(phase);
+    EXPECT_EQ(legendItem(scene, "removed edges"), nullptr) << name(phase);
+    EXPECT_EQ(legendItem(scene, "candidate") != nullptr, phase != InsertionPhase::cavity) << name(phase);
+    EXPECT_EQ(legendItem(scene, "limit") != nullptr, phase == InsertionPhase::candidate) << name(phase);
+    EXPECT_EQ(legendItem(scene, "walk") != nullptr, phase == InsertionPhase::walk) << name(phase);
+  }
+  const Scene candidate = sceneOf(InsertionPhase::candidate);
+  EXPECT_EQ(legendItem(candidate, "limit")->value, compact(apart->measured->limit));
+  EXPECT_EQ(legendItem(candidate, "circumcircle, R")->value, compact(apart->measured->length));
+  const Scene cavity = sceneOf(InsertionPhase::cavity);
+  const LegendItem* const gone = legendItem(cavity, "cavity: gives way");
+  ASSERT_NE(gone, nullptr);
+  EXPECT_EQ(gone->value, std::to_string(apart->cavity.triangles.size()));
+}
+
 TEST(Scene, AnEmptyStateGivesAnEmptyPicture) {
   const Scene scene = buildScene(MeshState{}, {}, nullptr, nullptr);
   EXPECT_TRUE(scene.bounds.empty());

@@ -59,6 +59,10 @@ class Insertions(harness.WindowTest):
         left, top, width, height = self.window.canvas()
         x, y = self.window.pixel(first["x"], first["y"])
         self.assertTrue(left < x < left + width and top < y < top + height)
+        # All panels tell of the stage that the insertion is of, whatever came before it.
+        for state in states:
+            self.assertEqual(state["insertion"]["stage"], "step1")
+            self.assertEqual(state["widgets"]["stage.current"], state["widgets"]["stage.step1"])
         # The indicator has its place.
         box = states[3]["widgets"]["phases"]
         caption = states[3]["widgets"]["caption"]
@@ -77,6 +81,53 @@ class Insertions(harness.WindowTest):
         state = self.press(back[0], 4)
         self.assertLess(state["insertion"]["vertex"], first["vertex"])
         self.assertLessEqual(state["tick"], states[0]["tick"])
+
+    def circles(self, state):
+        """Across the circles of what was measured, in pixels."""
+        return 2 * state["insertion"]["reach"] * state["camera"]["scale"]
+
+    def test_the_camera_goes_near_and_back(self):
+        self.window.key("minus", "minus", "minus", "minus", "minus", "minus")
+        self.go_to("step2")
+        before = self.window.settled()["camera"]
+        into = self.keys("into")[0]
+        first = self.press(into, 1)
+        self.assertLess(2 * first["insertion"]["reach"] * before["scale"], 120, "too small from where it was")
+        smaller = min(before["width"], before["height"])
+        self.assertGreater(self.circles(first), smaller / 3)
+        self.assertLess(self.circles(first), smaller / 2)
+        self.assertEqual((first["camera"]["x"], first["camera"]["y"]),
+                         (first["insertion"]["x"], first["insertion"]["y"]))
+        # It stays through the phases, follows to the next insertion, and comes back when they are left.
+        for phase in (2, 3, 4):
+            self.assertEqual(self.press(into, phase)["camera"], first["camera"])
+        second = self.press(into, 1)
+        self.assertGreater(self.circles(second), 120)
+        self.window.key("Escape")
+        self.window.wait(lambda s: s["insertion"]["phase"] == 0 and s["camera"] == before, "the camera to come back")
+        # Leaving by a step does the same.
+        self.press(into, 1)
+        self.window.key("Right")
+        self.window.wait(lambda s: s["insertion"]["phase"] == 0 and s["camera"] == before, "the camera to come back")
+        # One that was moved by hand is left alone.
+        self.press(into, 1)
+        self.window.key("minus")
+        moved = self.window.settled()["camera"]
+        self.window.key("Escape")
+        self.window.wait(lambda s: s["insertion"]["phase"] == 0, "the phases to end")
+        self.assertEqual(self.window.settled()["camera"], moved)
+
+    def test_the_whole_domain_is_fitted_again(self):
+        self.window.key("Home")
+        self.go_to("step2")
+        before = self.window.settled()["camera"]
+        into = self.keys("into")[0]
+        state = self.press(into, 1)
+        self.assertNotEqual(state["camera"], before)
+        self.window.key("ctrl+plus")  # another layout while it is near
+        self.assertNotEqual(self.window.settled()["camera"]["width"], before["width"])
+        self.window.key("Escape", "ctrl+0")
+        self.window.wait(lambda s: s["insertion"]["phase"] == 0 and s["camera"] == before, "the whole domain")
 
     def test_leaving(self):
         self.go_to("step1")
