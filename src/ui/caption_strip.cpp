@@ -1,12 +1,15 @@
 // The sentence under the picture: what just happened, and why.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/caption.h"
 #include "core/pipeline.h"
 #include "render/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
+#include "ui/wrapped_text.h"
 
 namespace triscope {
 
@@ -94,9 +97,14 @@ void drawCaption(const View& view, Orders&) {
       figureOf(info);
   }
   const std::string caption = captionNow(view);
-  wrapped(caption);
+  // Whole lines only: what has no room is in the tooltip.
+  const float room = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - ImGui::GetCursorScreenPos().y;
+  const int lines = std::max(1, static_cast<int>(room / ImGui::GetTextLineHeight()));
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string shown = inLines(caption, width, lines);
+  ImGui::TextUnformatted(shown.c_str());
   note(view, "caption");
-  if (ImGui::GetItemRectMax().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight()) tip(view, caption);
+  if (shown != inLines(caption, width)) tip(view, caption);
   if (titled) ImGui::Unindent(view.px(20));
 }
 

@@ -124,12 +124,15 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
   if (state != nullptr && state->counts[static_cast<std::size_t>(info.id)].decisions > 0)
     hint += "\n" + countsInWords(state->counts[static_cast<std::size_t>(info.id)]);
   tip(view, hint + "\nClick to go to where it begins.");
-  // The current stage is brought into view when it has changed, and not when the list is scrolled by hand.
+  // The current stage is brought into view when it or the room has changed, and not when the list is scrolled by hand.
   ImGuiStorage& memory = *ImGui::GetStateStorage();
   const ImGuiID shown = ImGui::GetID("current stage");
-  if (current && memory.GetInt(shown, -1) != static_cast<int>(info.id)) {
+  const ImGuiID room = ImGui::GetID("room");
+  const float height = ImGui::GetWindowHeight() / ImGui::GetTextLineHeight();
+  if (current && (memory.GetInt(shown, -1) != static_cast<int>(info.id) || memory.GetFloat(room) != height)) {
     memory.SetInt(shown, static_cast<int>(info.id));
-    ImGui::SetScrollHereY(0.5f);
+    memory.SetFloat(room, height);
+    ImGui::SetScrollHereY(ImGui::GetItemRectSize().y < 0.8f * ImGui::GetWindowHeight() ? 0.5f : 0.0f);
   }
   paint(view, info, state, current, at, width);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ui/style.h"
+#include "ui/wrapped_text.h"
 
 namespace triscope {
 
@@ -107,26 +108,7 @@ void heading(const View& view, const char* text) {
 }
 
 void wrapped(const std::string& text) {
-  const float width = ImGui::GetContentRegionAvail().x;
-  std::string lines;
-  std::size_t begun = 0;  // of the line, in `lines`
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
-    const std::string word = text.substr(at, end - at);
-    const bool fits = ImGui::CalcTextSize((lines.substr(begun) + word).c_str()).x <= width;
-    if (!fits && lines.size() > begun) {
-      lines.back() = '\n';  // the space before the word
-      begun = lines.size();
-    }
-    lines += word;
-    if (end < text.size()) lines += text[end];
-    if (end < text.size() && text[end] == '\n') begun = lines.size();
-    at = end + 1;
-  }
-  // A word that is wider than a line is still broken.
-  ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(lines.c_str());
-  ImGui::PopTextWrapPos();
+  ImGui::TextUnformatted(inLines(text, ImGui::GetContentRegionAvail().x).c_str());
 }
 
 void muted(const View& view, const std::string& text) {

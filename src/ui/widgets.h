@@ -33,7 +33,7 @@ void figure(const View& view, const char* label, const std::string& value);
 void figure(const View& view, const char* label, const std::string& value, Color valueColor);
 void heading(const View& view, const char* text);
 void muted(const View& view, const std::string& text);
-/// Text in as many lines as it needs, broken at spaces only: Dear ImGui would also break a number at its dot.
+/// Text in as many lines as it needs.
 void wrapped(const std::string& text);
 /// What a panel is about, in the large font; tests know it as `name`.
 void title(const View& view, const std::string& text, std::string_view name);

@@ -197,6 +197,32 @@ class MonitorScale(unittest.TestCase):
                 self.assertTrue(left >= 0 and top >= 0 and left + wide <= 1440 and top + high <= 900, name)
 
 
+class Captions(harness.WindowTest):
+    def test_no_line_is_cut(self):
+        window = self.window
+        window.click("stage.step5")
+        window.wait(lambda s: s["stage"] == "step5", "step 5")
+        window.key("F11")
+        caption = window.wait(lambda s: s["insertion"]["phase"] == 1, "a long caption")["caption"]
+        for scale in (1.0, 2.0, 2.5, 3.0):
+            while window.settled()["scale"] < scale:
+                window.key("ctrl+equal")
+            state = window.settled()
+            _, top, _, height, _ = state["widgets"]["caption"]
+            self.assertLessEqual(top + height, state["widgets"]["timeline"][1], scale)
+            self.assertEqual(state["caption"], caption)
+            # Beside it the list of stages shows the one that it is about.
+            top = state["widgets"]["stage.current"][1]
+            _, above, _, high, _ = state["widgets"]["canvas"]
+            self.assertGreaterEqual(top, above, scale)
+            self.assertLessEqual(top + 20 * scale, above + high, scale)
+        # What had no room at the largest scale is told by the tooltip.
+        x, y = window.widget("caption")
+        window.move(x, y)
+        window.move(x + 2, y)
+        window.wait(lambda s: s["tooltip"] == caption, "the whole caption")
+
+
 class Idle(harness.WindowTest):
     def test_nothing_is_drawn_while_nothing_happens(self):
         def ticks():
