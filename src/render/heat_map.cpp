@@ -113,6 +113,16 @@ class Drawing {
     canvas_.circle(at, 6.0 * s_, solid(theme_.selection, 3.0 * s_));
   }
 
+  /// A ring about the cell's border: dark and light, so that it is seen on any colour, and clear of the text.
+  void chosen() {
+    if (!map_.chosen) return;
+    const Rect cell = cellRect(grid_, *map_.chosen);
+    const double width = std::min(2.5 * s_, 0.08 * std::min(cell.width, cell.height));
+    outline(canvas_, inset(cell, -width), solid(rgb(0x000000), width));
+    outline(canvas_, inset(cell, width), solid(rgb(0x000000), width));
+    outline(canvas_, cell, solid(rgb(0xFFFFFF), width));
+  }
+
   void under() {
     if (map_.under) outline(canvas_, inset(cellRect(grid_, *map_.under), s_), solid(theme_.text, 2.0 * s_));
   }
@@ -235,6 +245,7 @@ void drawHeatMap(const HeatMap& map, const HeatGrid& grid, Scale colors, double 
   drawing.axes();
   drawing.here();
   drawing.under();
+  drawing.chosen();
 }
 
 std::vector<LegendItem> legendOf(const HeatMap& map, const HeatLegend& words, Scale colors, const Theme& theme) {
@@ -258,6 +269,7 @@ std::vector<LegendItem> legendOf(const HeatMap& map, const HeatLegend& words, Sc
     best.fill = theme.text;
   }
   if (map.here) item(onCell(map) ? Sample::line : Sample::circle, words.here).line = solid(theme.selection, 3.0);
+  if (map.chosen) item(Sample::line, words.chosen).line = {theme.text, 3.0f, Dash::solid, false};
   if (std::any_of(map.cells.begin(), map.cells.end(), [](const HeatCell& cell) { return cell.crossed; })) {
     LegendItem& crossed = item(Sample::mark, words.crossed);
     crossed.shape = Shape::cross;

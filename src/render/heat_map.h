@@ -29,8 +29,9 @@ struct HeatMap {
   double high = 0.0;
   std::optional<std::size_t> best;  // cell that is marked
   std::optional<Point> here;        // place that is marked: (0, 0) is the middle of the first cell, (1, 0) of its right
-  std::optional<std::size_t> under;  // cell that the mouse is on
-  bool faded = false;                // what it shows holds no longer: pale, and without texts
+  std::optional<std::size_t> under;   // cell that the mouse is on
+  std::optional<std::size_t> chosen;  // cell that the keys are on
+  bool faded = false;                 // what it shows holds no longer: pale, and without texts
 };
 
 /// Where the cells are, in pixels.
@@ -59,6 +60,7 @@ struct HeatLegend {
   std::string best;
   std::string here;
   std::string crossed;
+  std::string chosen;
 };
 std::vector<LegendItem> legendOf(const HeatMap& map, const HeatLegend& words, Scale colors, const Theme& theme);
 

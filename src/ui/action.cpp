@@ -19,6 +19,10 @@ constexpr auto kKeyNames = std::to_array<KeyName>({
     {GLFW_KEY_SPACE, "Space"},
     {GLFW_KEY_RIGHT, "Right"},
     {GLFW_KEY_LEFT, "Left"},
+    {GLFW_KEY_UP, "Up"},
+    {GLFW_KEY_DOWN, "Down"},
+    {GLFW_KEY_ENTER, "Enter"},
+    {GLFW_KEY_KP_ENTER, "Keypad Enter"},
     {GLFW_KEY_HOME, "Home"},
     {GLFW_KEY_END, "End"},
     {GLFW_KEY_PAGE_UP, "PageUp"},
@@ -53,11 +57,12 @@ std::string_view withoutDots(std::string_view label) {
 
 }  // namespace
 
-std::optional<Action> actionFor(int key, int mods) {
+std::optional<Action> actionFor(int key, int mods, Scope scope) {
   constexpr int kMatter = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;
   const Chord pressed{key, mods & kMatter};
   for (const ActionInfo& info : actions())
-    if (std::find(info.chords.begin(), info.chords.end(), pressed) != info.chords.end()) return info.id;
+    if (info.scope == scope && std::find(info.chords.begin(), info.chords.end(), pressed) != info.chords.end())
+      return info.id;
   return std::nullopt;
 }
 

@@ -60,6 +60,11 @@ enum class Action : std::uint8_t {
   sweep_panel,
   run_sweep,
   save_sweep,
+  cell_left,
+  cell_right,
+  cell_down,
+  cell_up,
+  take_cell,
   // View
   fit,
   zoom_in,
@@ -100,6 +105,9 @@ struct Chord {
   friend bool operator==(const Chord&, const Chord&) = default;
 };
 
+/// Where the keys of an action mean it.
+enum class Scope : std::uint8_t { window, heat_map };
+
 struct ActionInfo {
   Action id;
   Menu menu;
@@ -107,14 +115,15 @@ struct ActionInfo {
   std::string_view label;  // on menus: "Step back"
   std::string_view help;   // one sentence
   std::array<Chord, 3> chords;
+  Scope scope = Scope::window;
 };
 
 /// One entry per Action, in order.
 std::span<const ActionInfo> actions();
 inline const ActionInfo& infoOf(Action action) { return actions()[static_cast<std::size_t>(action)]; }
 
-/// The action that a key press asks for; lock keys are ignored.
-std::optional<Action> actionFor(int key, int mods);
+/// The action that a key press asks for there; lock keys are ignored.
+std::optional<Action> actionFor(int key, int mods, Scope scope = Scope::window);
 
 /// Whether GLFW's modifiers contain Ctrl.
 bool withCtrl(int mods);

@@ -89,6 +89,11 @@ std::string whyNot(Action action, const View& view) {
       return view.ui.scale() <= 0.75 ? "75 % is the smallest." : "";
     case Action::run_sweep:
     case Action::save_sweep:
+    case Action::cell_left:
+    case Action::cell_right:
+    case Action::cell_down:
+    case Action::cell_up:
+    case Action::take_cell:
       return whyNotSweep(action, view);
     default:
       return whyNotDebug(action, view);

@@ -5,6 +5,7 @@ namespace triscope {
 
 std::string whyNotSweep(Action action, const View& view) {
   const SweepUi& sweep = view.ui.sweep;
+  if (infoOf(action).scope == Scope::heat_map) return sweep.shown() ? "" : "No sweep has been run yet.";
   if (sweep.making) return "A sweep is running; Esc gives it up.";
   if (action == Action::save_sweep) {
     if (!sweep.table) return "No sweep has been run yet.";

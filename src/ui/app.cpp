@@ -73,7 +73,8 @@ void App::onKey(int key, int mods) {
     ++ui_.keysPressed;
     ui_.tipsWait = true;
   }
-  const std::optional<Action> action = actionFor(key, mods);
+  std::optional<Action> action = heatMapAction(key, mods);
+  if (!action) action = actionFor(key, mods);
   if (!action) return;
   const bool edits = !withCtrl(mods) || *action == Action::undo || *action == Action::redo;
   pressed_.push_back({*action, edits && !isFunctionKey(key) && *action != Action::cancel});

@@ -137,6 +137,10 @@ class App {
   void unpin();
   void followPinned();
   void runSweep();
+  [[nodiscard]] bool heatMapShown() const;
+  [[nodiscard]] std::optional<Action> heatMapAction(int key, int mods) const;
+  void moveCell(Action action);
+  void takeCell();
   bool followSweep();
   void finishSweep(const Status& outcome);
   void follow(Ref ref);

@@ -64,6 +64,13 @@ void App::performDebug(Action action) {
     case Action::save_sweep:
       exportDialog_.prepare(suggestedPath("-sweep.csv"));
       return openDialog(Dialog::export_to);
+    case Action::cell_left:
+    case Action::cell_right:
+    case Action::cell_down:
+    case Action::cell_up:
+      return moveCell(action);
+    case Action::take_cell:
+      return takeCell();
     default:
       return;
   }

@@ -56,6 +56,7 @@ void App::carryOut(const Order& order) {
     void operator()(const order::AddBreakpoint&) const { app.addBreakpoint(); }
     void operator()(const SweepChoice& choice) const { app.ui_.sweep.choice = choice; }
     void operator()(const order::CancelSweep&) const { app.sweep_.cancel(); }
+    void operator()(const order::ChooseCell& o) const { app.ui_.sweep.chosen = o.cell; }
     void operator()(const order::ShowPlot& o) const {
       app.ui_.debug.plot = static_cast<PlotOf>(o.plot);
       app.ui_.debug.histogram = static_cast<Measure>(o.histogram);
@@ -319,6 +320,8 @@ void App::cancel() {
     apply(command::Cancel{});
   else if (ui_.sweep.making)
     sweep_.cancel();
+  else if (heatMapShown() && ui_.sweep.chosen)
+    ui_.sweep.chosen.reset();
   else if (ui_.insertion.now)
     leaveInsertion();
   else if (ui_.density.placing)

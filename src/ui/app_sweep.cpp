@@ -1,11 +1,14 @@
 // Sweeps over ω and θ: starting them, and taking over what comes of them.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "render/number.h"
 #include "ui/app.h"
 #include "ui/panels.h"
+#include "ui/widgets.h"
 
 namespace triscope {
 namespace {
@@ -26,8 +29,56 @@ std::vector<double> sweptValues(SweepRange range) {
   return valuesOf(range);
 }
 
+Settings withPairOf(const SweepTable& table, std::size_t cell, Settings settings) {
+  settings.omega = table.omegas[cell / table.thetas.size()];
+  settings.theta = table.thetas[cell % table.thetas.size()];
+  return settings;
+}
+
+std::size_t nearestCell(const SweepTable& table, const Settings& settings) {
+  const auto nearest = [](const std::vector<double>& values, double to) {
+    const auto closer = [to](double a, double b) { return std::fabs(a - to) < std::fabs(b - to); };
+    return static_cast<std::size_t>(std::min_element(values.begin(), values.end(), closer) - values.begin());
+  };
+  return nearest(table.omegas, settings.omega) * table.thetas.size() + nearest(table.thetas, settings.theta);
+}
+
+bool App::heatMapShown() const {
+  return ui_.debug.bottom == "Sweep" && ui_.sweep.shown() && ui_.dialog == Dialog::none;
+}
+
+std::optional<Action> App::heatMapAction(int key, int mods) const {
+  if (!heatMapShown() || menuOpen()) return std::nullopt;
+  const std::optional<Action> action = actionFor(key, mods, Scope::heat_map);
+  // Up and Down mean nothing else: they give the map the keys.
+  const bool begins = action == Action::cell_up || action == Action::cell_down;
+  return ui_.sweep.chosen || begins ? action : std::nullopt;
+}
+
+void App::moveCell(Action action) {
+  const SweepTable& table = *ui_.sweep.shown();
+  std::optional<std::size_t>& chosen = ui_.sweep.chosen;
+  if (!chosen) {
+    chosen = nearestCell(table, session_.settings());
+    return;
+  }
+  const std::size_t rows = table.thetas.size();
+  const std::size_t column = *chosen / rows;
+  const std::size_t row = *chosen % rows;
+  if (action == Action::cell_left && column > 0) *chosen -= rows;
+  if (action == Action::cell_right && column + 1 < table.omegas.size()) *chosen += rows;
+  if (action == Action::cell_down && row > 0) *chosen -= 1;
+  if (action == Action::cell_up && row + 1 < rows) *chosen += 1;
+}
+
+void App::takeCell() {
+  const Settings settings = withPairOf(*ui_.sweep.shown(), *ui_.sweep.chosen, session_.settings());
+  if (settings != session_.settings()) apply(command::Change{settings});
+}
+
 void App::runSweep() {
   SweepUi& sweep = ui_.sweep;
+  sweep.chosen.reset();
   SweepJob::Task task{session_.domain(), session_.settings(), sweptValues(sweep.choice.omega),
                       sweptValues(sweep.choice.theta), startOf(session_)};
   sweep.making = tableOf(task.domain, task.settings, task.omegas, task.thetas);
@@ -54,6 +105,7 @@ bool App::followSweep() {
 void App::finishSweep(const Status& outcome) {
   SweepUi& sweep = ui_.sweep;
   std::optional<SweepTable> made = std::exchange(sweep.making, std::nullopt);
+  if (!outcome.ok()) sweep.chosen.reset();  // the one before is shown again, which may be smaller
   if (outcome.ok()) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - sweepSince_;
     sweep.seconds = spent.count();

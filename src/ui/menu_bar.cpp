@@ -49,7 +49,7 @@ void drawMenuBar(const View& view, Orders& orders) {
     note(view, "menu." + title);
     if (!open) continue;
     for (const ActionInfo& info : actions()) {
-      if (info.menu != menu) continue;
+      if (info.menu != menu || info.scope != Scope::window) continue;
       item(view, orders, info);
       if (endsGroup(info.id)) ImGui::Separator();
     }

@@ -104,6 +104,9 @@ struct ShowPlot {
   int histogram = 0;  // Measure
 };
 struct CancelSweep {};
+struct ChooseCell {
+  std::optional<std::size_t> cell;  // of the sweep shown, which then takes the keys; nothing: it lets them go
+};
 }  // namespace order
 
 using Order =
@@ -112,7 +115,7 @@ using Order =
                  order::CloseDialog, order::FollowLink, order::ShowRange, order::TypeCondition, order::AddBreakpoint,
                  order::ShowPlot, order::EditDensity, order::NameRequest, order::PlaceRequest, order::MoveRequest,
                  order::SelectRequest, order::SaveTo, order::WriteNotes, order::NameBookmark, order::DropBookmark,
-                 order::Kept, SweepChoice, order::CancelSweep>;
+                 order::Kept, SweepChoice, order::CancelSweep, order::ChooseCell>;
 using Orders = std::vector<Order>;
 
 }  // namespace triscope

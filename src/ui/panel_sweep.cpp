@@ -185,6 +185,7 @@ HeatMap mapOf(const View& view, const SweepTable& table, bool outOfDate) {
   const std::optional<double> x = placeAmong(table.omegas, settings.omega);
   const std::optional<double> y = placeAmong(table.thetas, settings.theta);
   if (x && y) map.here = Point{*x, *y};
+  map.chosen = view.ui.sweep.chosen;
   return map;
 }
 
@@ -196,7 +197,8 @@ void legend(const View& view, const HeatMap& map) {
                          valueText(figure, map.high),
                          info.largeIsBetter ? "best: the largest" : "best: the smallest",
                          "\xCF\x89 and \xCE\xB8 of the run shown",
-                         "breaks a bound of the paper"};
+                         "breaks a bound of the paper",
+                         "chosen by the arrow keys"};
   const std::vector<LegendItem> items = legendOf(map, words, view.ui.options.scale, view.theme());
   const LegendSize size = legendSize(items, view.ui.scale());
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -229,6 +231,17 @@ std::string tooltipOf(const SweepTable& table, std::size_t cell, bool outOfDate)
   return text + "\nClick to take this \xCF\x89 and \xCE\xB8.";
 }
 
+/// What the cell that the keys are on has, and what can be done.
+void chosenCell(const View& view, const SweepTable& table, std::size_t cell, bool outOfDate) {
+  const SweepFigure figure = view.ui.sweep.choice.figure;
+  const std::optional<SweepRow>& row = table.cells[cell];
+  std::string text = pairText(table.omegas[cell / table.thetas.size()], table.thetas[cell % table.thetas.size()]);
+  if (row && !outOfDate)
+    text += fmt::format(": {} {}", infoOf(figure).name, valueText(figure, infoOf(figure).value(row->quality)));
+  muted(view, text + ". Enter takes it, Esc leaves the map.");
+  note(view, "sweep.chosen");
+}
+
 /// The map with the mouse on it.
 void heatMap(const View& view, Orders& orders, const SweepTable& table, HeatMap& map, bool outOfDate) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -247,12 +260,14 @@ void heatMap(const View& view, Orders& orders, const SweepTable& table, HeatMap&
   if (outOfDate)
     canvas.text({grid.cells.x + 0.5 * grid.cells.width, grid.cells.y + 0.35 * grid.cells.height}, "out of date",
                 {15.0 * view.ui.scale(), Weight::semibold, view.theme().text, view.theme().surface, Anchor::centre});
-  if (!map.under) return;
+  if (!map.under) {
+    if (map.chosen && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) orders.emplace_back(order::ChooseCell{});
+    return;
+  }
   tip(view, tooltipOf(table, *map.under, outOfDate));
   if (!pressed) return;
-  Settings settings = view.session.settings();
-  settings.omega = table.omegas[*map.under / table.thetas.size()];
-  settings.theta = table.thetas[*map.under % table.thetas.size()];
+  orders.emplace_back(order::ChooseCell{map.under});
+  const Settings settings = withPairOf(table, *map.under, view.session.settings());
   if (settings != view.session.settings()) orders.emplace_back(command::Change{settings});
 }
 
@@ -270,6 +285,7 @@ void drawSweep(const View& view, Orders& orders) {
   if (ImGui::BeginChild("controls", {view.px(narrow ? kNarrowControls : kControls), 0.0f})) {
     controls(view, orders);
     remarks(view, outOfDate);
+    if (map.chosen) chosenCell(view, *table, *map.chosen, !outOfDate.empty());
     if (narrow && explains) legend(view, map);
   }
   ImGui::EndChild();

@@ -271,6 +271,7 @@ std::string sweepOf(const View& view) {
   return out.flag("stale", !holdsFor(table, view.session.domain(), view.session.settings()))
       .add("omegas", numbers(table.omegas))
       .add("thetas", numbers(table.thetas))
+      .number("chosen", ui.chosen ? static_cast<double>(*ui.chosen) : -1.0)
       .number("best", best ? static_cast<double>(*best) : -1.0)
       .text("csv", csvOf(rowsOf(table)))
       .str();

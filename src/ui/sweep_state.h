@@ -21,13 +21,19 @@ std::vector<double> sweptValues(SweepRange range);
 
 struct SweepUi {
   SweepChoice choice;
-  std::optional<SweepTable> table;   // of the last sweep that came to its end
-  std::optional<SweepTable> making;  // of the one under way
-  std::size_t done = 0;              // cells of it
-  bool preparing = false;            // steps 1-5 are run for it first
-  double seconds = 0.0;              // that the last one took
+  std::optional<SweepTable> table;    // of the last sweep that came to its end
+  std::optional<SweepTable> making;   // of the one under way
+  std::size_t done = 0;               // cells of it
+  bool preparing = false;             // steps 1-5 are run for it first
+  double seconds = 0.0;               // that the last one took
+  std::optional<std::size_t> chosen;  // cell that the keys move; nothing: they are not the map's
   /// The one to show.
   [[nodiscard]] const std::optional<SweepTable>& shown() const { return making ? making : table; }
 };
+
+/// `settings` with the ω and θ of a cell.
+Settings withPairOf(const SweepTable& table, std::size_t cell, Settings settings);
+/// The cell of a pair, or the nearest one.
+std::size_t nearestCell(const SweepTable& table, const Settings& settings);
 
 }  // namespace triscope

@@ -160,7 +160,7 @@ TEST(HeatMap, FadedShowsNoValues) {
 
 TEST(HeatMap, LegendSaysWhatIsThere) {
   HeatMap made = map(2, 2);
-  const HeatLegend words{"figure", "0", "4", "best", "here", "crossed"};
+  const HeatLegend words{"figure", "0", "4", "best", "here", "crossed", "chosen"};
   const auto labels = [&] {
     std::vector<std::string> list;
     for (const LegendItem& item : legendOf(made, words, Scale::cividis, themeOf(ThemeKind::light)))
@@ -173,6 +173,8 @@ TEST(HeatMap, LegendSaysWhatIsThere) {
   made.best = 0;
   made.cells[1].crossed = true;
   EXPECT_EQ(labels(), (std::vector<std::string>{"figure", "best", "here", "crossed"}));
+  made.chosen = 1;
+  EXPECT_EQ(labels(), (std::vector<std::string>{"figure", "best", "here", "chosen", "crossed"}));
 }
 
 }  // namespace

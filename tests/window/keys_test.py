@@ -7,7 +7,7 @@ import harness
 
 NAMES = {"Esc": "Escape", "Del": "Delete", "PageUp": "Prior", "PageDown": "Next", "Space": "space", "[": "bracketleft",
          "]": "bracketright", ",": "comma", ".": "period", "=": "equal", "-": "minus", "+": "plus", "?": "question",
-         "Keypad +": "KP_Add", "Keypad -": "KP_Subtract"}
+         "Enter": "Return", "Keypad Enter": "KP_Enter", "Keypad +": "KP_Add", "Keypad -": "KP_Subtract"}
 
 
 def chord(text):

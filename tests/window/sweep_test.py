@@ -206,6 +206,63 @@ class Sweep(harness.WindowTest):
         window.key(self.keys("run_sweep")[0])
         window.wait(lambda s: s["message"].startswith("Step 6 is switched off"), "the reason")
 
+    def test_the_map_by_keys(self):
+        window = self.window
+        before = window.settled()
+        window.key(*self.keys("sweep_panel"))
+        window.key(self.keys("cell_up")[0])
+        self.assertNotIn("chosen", window.settled()["sweep"], "there is no map yet")
+        window.key(*self.keys("sweep_panel"))
+        self.small()
+        tick = window.settled()["tick"]
+        self.assertEqual(window.state()["sweep"]["chosen"], -1)
+        # Left steps back until the map has been given the keys.
+        left, right, up, down = (self.keys(way)[0] for way in ("cell_left", "cell_right", "cell_up", "cell_down"))
+        window.key(left)
+        window.wait(lambda s: s["tick"] == tick - 1, "a step back")
+        window.key("End")
+        window.wait(lambda s: s["tick"] == tick and s["activity"] == "idle", "the end")
+        # At first the cell nearest to the run shown; it stops at the borders.
+        omegas, thetas = window.state()["sweep"]["omegas"], window.state()["sweep"]["thetas"]
+        i = min(range(3), key=lambda k: abs(omegas[k] - before["settings"]["omega"]))
+        j = min(range(2), key=lambda k: abs(thetas[k] - before["settings"]["theta"]))
+        window.key(up)
+        self.sweep(lambda s: s["chosen"] == 2 * i + j)
+        for key, across, along in ((left, -1, 0), (left, -1, 0), (left, -1, 0), (up, 0, 1), (up, 0, 1), (right, 1, 0),
+                                   (down, 0, -1), (down, 0, -1)):
+            i, j = min(2, max(0, i + across)), min(1, max(0, j + along))
+            window.key(key)
+            self.sweep(lambda s: s["chosen"] == 2 * i + j)
+        self.assertEqual(window.state()["tick"], tick)
+        omega, theta = omegas[i], thetas[j]
+        self.assertNotEqual((omega, theta), (before["settings"]["omega"], before["settings"]["theta"]))
+        # The ring can be seen whatever the colour of the cell.
+        window.move(10, 10)
+        x, y = self.cell(omega, theta)
+        _, _, width, height = window.widget_box("sweep.map")
+
+        def ringed(image):
+            colors = image.colors(x - width / 6, y - height / 4, width / 3, height / 2)
+            return colors.get((0, 0, 0), 0) > 100 and colors.get((255, 255, 255), 0) > 100
+
+        window.drawn(ringed, "the ring")
+        for key in self.keys("take_cell"):
+            window.key(key)
+            window.wait(lambda s: (s["settings"]["omega"], s["settings"]["theta"]) == (omega, theta), "the pair")
+            window.settled()
+            window.key("ctrl+z")
+            window.wait(lambda s: s["settings"] == before["settings"] and not s["stale"], "the pair from before")
+        # Esc lets the keys go, and so does a click elsewhere; a click on a cell gives them.
+        window.key("Escape")
+        self.sweep(lambda s: s["chosen"] == -1)
+        window.drawn(lambda image: not ringed(image), "no ring")
+        window.press(*self.cell(0.25, 10.0))
+        self.sweep(lambda s: s["chosen"] == 5)
+        window.settled()
+        at, top, wide, high = window.canvas()
+        window.press(at + wide / 2, top + high / 2)
+        self.sweep(lambda s: s["chosen"] == -1)
+
     def test_before_step_6_steps_1_to_5_are_run_for_it(self):
         window = self.window
         window.click("tab.Stages")
