@@ -179,6 +179,7 @@ void App::frame() {
   tooltip_.clear();
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   if (moved.x != 0.0f || moved.y != 0.0f) ui_.tipsWait = false;
+  for (const bool pressed : ImGui::GetIO().MouseClicked) ui_.buttonsPressed += pressed ? 1u : 0u;
   for (const bool released : ImGui::GetIO().MouseReleased) ui_.buttonsReleased += released ? 1u : 0u;
   performPressed();
   Orders orders;

@@ -28,7 +28,10 @@ void App::carryOut(const Order& order) {
       app.fitted_ = false;
     }
     void operator()(const Appearance& look) const { app.ui_.look = look; }
-    void operator()(const order::SelectElement& o) const { app.select(o.pick); }
+    void operator()(const order::SelectElement& o) const {
+      app.select(o.pick);
+      if (o.pick.selection.kind == Selection::Kind::none) app.ui_.options.brush = {};  // a click beside everything
+    }
     void operator()(const order::Frame& o) const { app.frameBox(o.box, 0.0); }
     void operator()(const order::Tune& o) const { app.tune({o.settings, app.session_.domain()}); }
     void operator()(const order::EndTuning&) const {

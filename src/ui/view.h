@@ -101,8 +101,9 @@ struct UiState {
   bool legendFolded = false;  // it has room neither in the right column nor over the picture: a button stands for it
   bool legendOver = false;    // folded, but shown over the picture all the same
   bool tipsWait = false;      // a key was pressed: no tooltip until the mouse moves
-  std::uint64_t keysPressed = 0;      // that have been acted on, without modifiers
-  std::uint64_t buttonsReleased = 0;  // of the mouse
+  std::uint64_t keysPressed = 0;     // that have been acted on, without modifiers
+  std::uint64_t buttonsPressed = 0;  // of the mouse
+  std::uint64_t buttonsReleased = 0;
   [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }
 };
 

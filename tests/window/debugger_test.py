@@ -180,6 +180,39 @@ class Debugger(harness.WindowTest):
             self.window.key(end)
             self.window.wait(lambda s: not s["debug"]["brush"], f"{end} to take the marks away")
 
+    def test_a_drag_over_bars_marks_a_range(self):
+        window = self.window
+        triangles = self.measured()["figures"]["triangles"]
+        window.key(self.keys("plots_panel")[0])
+        x, y, width, height = self.strip("plots.bars")
+        low = y + height - 3
+
+        def marked(what, condition):
+            window.wait(lambda s: s["debug"]["brush"] and condition(s["debug"]), what)
+            return window.settled()["debug"]  # what is marked is counted a frame later
+
+        # Bars are found by what a click on each marks.
+        bars = []
+        for part in (0.02, 0.06, 0.1):
+            window.press(x + part * width, low)
+            bars.append(marked(f"a bar at {part}", lambda d: not bars or d["brush_low"] > bars[-1]["brush_low"]))
+        self.assertGreater(min(bar["brushed"] for bar in bars), 0)
+        for start, end in ((0.02, 0.1), (0.1, 0.02)):
+            window.drag(x + start * width, low, x + end * width, low)
+            range_of = marked("the range", lambda d: (d["brush_low"], d["brush_high"]) == (bars[0]["brush_low"],
+                                                                                           bars[2]["brush_high"]))
+            self.assertGreaterEqual(range_of["brushed"], max(bar["brushed"] for bar in bars))
+            self.assertLess(range_of["brushed"], triangles)
+            # A click into the range takes it away.
+            window.press(x + 0.06 * width, low)
+            window.wait(lambda s: not s["debug"]["brush"], "the marks to go")
+        # From end to end, and beyond: every triangle of the mesh.
+        window.drag(x + 2, low, x + width + 30, low)
+        marked("the whole mesh", lambda d: d["brushed"] == triangles)
+        left, top, _, _ = window.canvas()
+        window.press(left + 5, top + 5)
+        window.wait(lambda s: not s["debug"]["brush"], "a click beside the mesh to take the marks away")
+
     def test_what_is_hovered_says_of_which_decision_it_is(self):
         """Between two samples: the mesh of the decision itself where the window stands, else the sample's decision."""
         end = self.measured()["tick"]

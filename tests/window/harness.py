@@ -157,6 +157,12 @@ class Window:
         self.xdotool("mousemove", str(int(x)), str(int(y)))
         time.sleep(0.08)
 
+    def button_down(self, button=1):
+        """It has been seen before the mouse goes on."""
+        before = self.state()["buttons_pressed"]
+        self.xdotool("mousedown", str(button))
+        self.wait(lambda s: s["buttons_pressed"] > before, "the button to be heard", ends=True)
+
     def press(self, x, y, button=1, modifier=None):
         self.move(x - 1, y)
         self.move(x, y)
@@ -164,8 +170,7 @@ class Window:
             self.xdotool("keydown", modifier)
             time.sleep(0.1)
         before = self.state()["buttons_released"]
-        self.xdotool("mousedown", str(button))
-        time.sleep(0.12)
+        self.button_down(button)
         self.xdotool("mouseup", str(button))
         self.wait(lambda s: s["buttons_released"] > before, "the mouse to be heard", ends=True)
         if modifier:
@@ -176,8 +181,7 @@ class Window:
         if modifier:
             self.xdotool("keydown", modifier)
             time.sleep(0.1)
-        self.xdotool("mousedown", "1")
-        time.sleep(0.12)
+        self.button_down()
         for i in range(1, 11):
             self.xdotool("mousemove", str(int(x0 + (x1 - x0) * i / 10)), str(int(y0 + (y1 - y0) * i / 10)))
             time.sleep(0.03)
@@ -191,8 +195,7 @@ class Window:
     def hold(self, x, y):
         """Presses the button and keeps it down."""
         self.move(x, y)
-        self.xdotool("mousedown", "1")
-        time.sleep(0.12)
+        self.button_down()
 
     def release(self):
         before = self.state()["buttons_released"]
