@@ -92,7 +92,7 @@ LegendItem rankRamp(const SceneInput& in) {
 
 void addCells(const SceneInput& in, std::vector<LegendItem>& legend) {
   const ViewOptions& o = in.options;
-  if (!o.quadtree || in.state.tree.cells.empty() || o.cells == CellColoring::none) return;
+  if (!drawsCells(in) || o.cells == CellColoring::none) return;
   if (o.cells == CellColoring::rank) {
     legend.push_back(rankRamp(in));
     return;
@@ -154,8 +154,7 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
 void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
   const ViewOptions& o = in.options;
   if (!o.triangulation || in.state.mesh.triangles.empty()) return;
-  const bool cellsShowRanks = o.quadtree && o.cells == CellColoring::rank;
-  if (o.fill == TriangleFill::density && !cellsShowRanks) legend.push_back(rankRamp(in));
+  if (o.fill == TriangleFill::density) legend.push_back(rankRamp(in));
   if (o.fill != TriangleFill::plain && o.fill != TriangleFill::density) {
     const MeasureScale scale = scaleOf(o.fill);
     const bool angle = o.fill == TriangleFill::min_angle || o.fill == TriangleFill::max_angle;

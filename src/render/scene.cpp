@@ -91,8 +91,8 @@ std::array<std::uint64_t, kLayerCount> layerKeys(const MeshState& state, const V
   Key cells = run;
   // The tree is complete after the density stage: later ticks show the same one.
   cells << state.tree.cells.size() << (state.stage <= Stage::density ? state.tick : ~0ull);
-  set(LayerId::cells,
-      cells << o.quadtree << o.cells << o.outsideCells << o.triangulation << state.mesh.triangles.empty());
+  set(LayerId::cells, cells << o.quadtree << o.cells << o.outsideCells << o.triangulation
+                            << state.mesh.triangles.empty() << (o.fill == TriangleFill::plain));
 
   Key triangles = mesh;
   triangles << o.triangulation << o.helpers << o.fill << o.obtuse << o.quadtree << o.cells;

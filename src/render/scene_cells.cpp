@@ -41,9 +41,15 @@ RankRange rankRange(const Quadtree& tree) {
   return range;
 }
 
+bool drawsCells(const SceneInput& in) {
+  const ViewOptions& o = in.options;
+  const bool covered = o.triangulation && !in.state.mesh.triangles.empty() && o.fill != TriangleFill::plain;
+  return o.quadtree && !in.state.tree.cells.empty() && !covered;
+}
+
 void buildCells(const SceneInput& in, Layer& layer) {
   const Quadtree& tree = in.state.tree;
-  if (!in.options.quadtree || tree.cells.empty()) return;
+  if (!drawsCells(in)) return;
   const bool types = classified(tree);
   const RankRange range = rankRange(tree);
   // Under a triangulation the colours stay behind its edges.

@@ -85,7 +85,7 @@ MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {
 void addFills(const SceneInput& in, TriangleBatch& batch, const std::vector<std::int32_t>& slots) {
   const Mesh& mesh = in.state.mesh;
   const ViewOptions& o = in.options;
-  const bool cellsShow = o.quadtree && o.cells != CellColoring::none && !in.state.tree.cells.empty();
+  const bool cellsShow = drawsCells(in) && o.cells != CellColoring::none;
   const Color plain = cellsShow ? Color{0, 0, 0, 0} : in.theme.domainFill;
   if (o.fill == TriangleFill::plain && !o.obtuse && !o.brush.on) {
     if (plain.a > 0) batch.fills.push_back(plain);

@@ -24,6 +24,9 @@ RankRange rankRange(const Quadtree& tree);
 /// Before cells are classified every leaf says `outside`; then they are all drawn alike.
 bool classified(const Quadtree& tree);
 
+/// Coloured triangles would cover the cells but for slivers along the boundary: then none are drawn.
+bool drawsCells(const SceneInput& in);
+
 void buildCells(const SceneInput& in, Layer& layer);
 void buildMesh(const SceneInput& in, Layer& layer);
 void buildBoundary(const SceneInput& in, Layer& layer);

@@ -198,6 +198,7 @@ void App::frame() {
   const bool resized = size.x != windowSize_.x || size.y != windowSize_.y;
   if (resized && ui_.dialog == Dialog::none) closeMenus();  // they would stay where the place they are about was
   windowSize_ = size;
+  forgetLegendPlace();
   const Layout layout = layoutOf(size, menuHeight, toolbarHeight(view(), size.x), legendNeeds(view()), ui_);
   placeLegend(layout);
   followStage();
@@ -223,12 +224,25 @@ void App::finishFrame(double milliseconds) {
   ++frames_;
 }
 
+void App::forgetLegendPlace() {
+  LegendRoom room{windowSize_, ui_.scale(), ui_.look, ui_.debug.bottom, ui_.sidePanels, pinned_ != nullptr};
+  if (room == legendRoom_) return;
+  legendRoom_ = std::move(room);
+  ui_.legendPlace = LegendPlace::anywhere;
+}
+
 void App::placeLegend(const Layout& layout) {
   const ImVec2 needs = legendNeeds(view());
   const bool elsewhere = needs.y > 0.0f && layout.legend.size.y <= 0.0f;
-  ui_.legendFolded = elsewhere && !legendMayCover(view(), panesOf(layout.canvas, pinned_ != nullptr).live.size);
+  const bool folded = ui_.legendPlace == LegendPlace::folded;
+  ui_.legendFolded =
+      elsewhere && (folded || !legendMayCover(view(), panesOf(layout.canvas, pinned_ != nullptr).live.size));
   ui_.legendOver = ui_.legendOver && ui_.legendFolded;
   legendOnCanvas_ = elsewhere && !ui_.legendFolded;
+  if (needs.y > 0.0f)
+    ui_.legendPlace = ui_.legendFolded  ? LegendPlace::folded
+                      : legendOnCanvas_ ? LegendPlace::picture
+                                        : LegendPlace::column;
 }
 
 void App::drawPicture(const Region& region) {

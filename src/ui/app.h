@@ -89,6 +89,19 @@ class App {
       return now.centre == camera.centre && now.scale == camera.scale;
     }
   };
+  /// What decides how much room there is for the legend.
+  struct LegendRoom {
+    ImVec2 window{0.0f, 0.0f};
+    double scale = 0.0;
+    Appearance look;
+    std::string bottom;
+    std::optional<bool> sidePanels;
+    bool pinned = false;
+    friend bool operator==(const LegendRoom& a, const LegendRoom& b) {
+      return a.window.x == b.window.x && a.window.y == b.window.y && a.scale == b.scale && a.look == b.look &&
+             a.bottom == b.bottom && a.sidePanels == b.sidePanels && a.pinned == b.pinned;
+    }
+  };
   /// A session on its way from the file to the window.
   struct Opening {
     std::shared_ptr<const Domain> domain;
@@ -102,6 +115,7 @@ class App {
   void drawBottom(const Layout& layout, const View& view, Orders& orders);
   void drawSide(const char* name, std::optional<Side> side, const Region& region, const View& view, Orders& orders);
   void drawDialog(const View& view, Orders& orders);
+  void forgetLegendPlace();
   void placeLegend(const Layout& layout);
   void drawPicture(const Region& region);
   void followRun();
@@ -226,6 +240,7 @@ class App {
   std::string exportPath_;  // being written
   bool fitted_ = true;      // the camera shows the whole domain, and is to go on doing so
   bool legendOnCanvas_ = false;
+  LegendRoom legendRoom_;
   std::uint64_t failuresSeen_ = 0;
   bool closing_ = false;
   std::uint64_t frames_ = 0;

@@ -284,7 +284,10 @@ void App::toggle(Action action) {
       return flip(o.boundaryPoints);
     case Action::quadtree:
       ui_.layersFollow = false;
-      return flip(o.quadtree);
+      flip(o.quadtree);
+      if (o.quadtree && o.triangulation && o.fill != TriangleFill::plain)
+        ui_.message = "The quadtree is hidden by the coloured triangles; T or C lets it be seen.";
+      return;
     case Action::constraints:
       ui_.layersFollow = false;
       return flip(o.constraints);

@@ -137,14 +137,21 @@ void mouse(const View& view, Orders& orders, ImVec2 corner, bool edits) {
   if (ImGui::IsItemHovered() && ImGui::IsMouseReleased(ImGuiMouseButton_Right)) ImGui::OpenPopup("canvas menu");
 }
 
-/// `avoid`: rectangles of the canvas that have something on them already.
-void labels(const View& view, ImVec2 corner, std::span<const Rect> avoid) {
+/// `avoid`: rectangles of the canvas that have something on them already. Tests know them by their texts.
+void labels(const View& view, ImVec2 corner, std::span<const Rect> avoid, bool told) {
   ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
   const double scale = view.ui.scale();
   for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale, avoid)) {
     const Label& label = *placed.label;
     canvas.text(toPoint(corner) + placed.at, label.text,
                 {static_cast<double>(label.size) * scale, Weight::semibold, label.color, label.halo, Anchor::left});
+    if (!told || view.widgets == nullptr) continue;
+    const ImVec2 lo{corner.x + static_cast<float>(placed.at.x),
+                    corner.y + static_cast<float>(placed.at.y - static_cast<double>(label.size) * scale)};
+    view.widgets->push_back({"label." + label.text,
+                             lo,
+                             {lo.x + static_cast<float>(placed.width), corner.y + static_cast<float>(placed.at.y)},
+                             true});
   }
 }
 
@@ -198,7 +205,9 @@ void pane(const View& shown, const View& live, Orders& orders, const Region& whe
   list.PushClipRect(corner, end, true);
   mouse(live, orders, corner, isLive);
   if (isLive) drawDensityHandles(live, corner);
-  labels(shown, corner, isLive ? densityHandleRects(live) : std::vector<Rect>());
+  std::vector<Rect> avoid = isLive ? densityHandleRects(live) : std::vector<Rect>();
+  if (isLive) avoid.push_back(legendCovers(shown, where.size));
+  labels(shown, corner, avoid, isLive);
   if (live.pinned != nullptr) otherCursor(live, corner);
   if (shown.legendOnCanvas) overlayLegend(shown, corner, where.size);
   if (live.pinned != nullptr) drawPaneHeading(live, !isLive, corner, where.size);

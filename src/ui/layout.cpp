@@ -18,6 +18,7 @@ constexpr double kNarrowestSide = 180.0;
 constexpr double kNarrowestCanvas = 196.0;
 constexpr double kCanvasShare = 0.4;   // of the width, at least: else a side panel gives way
 constexpr float kLegendShare = 0.5f;   // of the right column, at most
+constexpr float kLegendLeft = 0.62f;   // where it is there already
 constexpr double kNarrowLeft = 232.0;  // room for its tabs
 constexpr double kNarrowRight = 200.0;
 constexpr double kCaptionText = 1500.0;  // a long caption on one line
@@ -95,7 +96,10 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
                           : std::min(px(kCaptionRest + lines * kCaptionLine), std::floor((low ? 0.4f : 0.5f) * height));
   const float x = left + splitter;
   const float sides = low ? height - caption : height;
-  const bool legendFits = legend.y > 0.0f && legend.x <= right && legend.y <= kLegendShare * sides;
+  // It does not come and go with each row.
+  const bool there = ui.legendPlace == LegendPlace::column;
+  const bool legendFits = (there || ui.legendPlace == LegendPlace::anywhere) && legend.y > 0.0f && legend.x <= right &&
+                          legend.y <= (there ? kLegendLeft : kLegendShare) * sides;
   const float foot = legendFits ? legend.y : 0.0f;
   return {
       .toolbar = {{0, menu}, {window.x, toolbar}},

@@ -13,7 +13,17 @@ namespace {
 constexpr double kPadding = 12.0;  // pixels at 100 %
 constexpr double kMargin = 10.0;
 constexpr float kMostCovered = 0.125f;  // of a picture
+constexpr float kMostLeft = 0.16f;      // where it is there already
 constexpr const char* kFolded = "Legend";
+
+ImVec2 foldedSize() {
+  return {ImGui::CalcTextSize(kFolded).x + 2.0f * ImGui::GetStyle().FramePadding.x, ImGui::GetFrameHeight()};
+}
+
+/// Even a button would be too much for a small picture: there are the key and the menu.
+bool isTooMuch(ImVec2 button, ImVec2 picture) {
+  return button.x * button.y > 0.5f * kMostCovered * picture.x * picture.y;
+}
 
 void drawItems(const View& view, ImVec2 at) {
   ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
@@ -42,16 +52,23 @@ void drawLegendRegion(const View& view, Orders&) {
 bool legendMayCover(const View& view, ImVec2 size) {
   const ImVec2 needed = legendNeeds(view);
   const float margin = 2 * view.px(kMargin);
-  return needed.x + margin <= size.x && needed.y + margin <= size.y &&
-         needed.x * needed.y <= kMostCovered * size.x * size.y;
+  const float most = view.ui.legendPlace == LegendPlace::picture ? kMostLeft : kMostCovered;
+  return needed.x + margin <= size.x && needed.y + margin <= size.y && needed.x * needed.y <= most * size.x * size.y;
+}
+
+Rect legendCovers(const View& view, ImVec2 size) {
+  const ImVec2 covered = view.legendOnCanvas ? legendNeeds(view) : view.ui.legendFolded ? foldedSize() : ImVec2{0, 0};
+  if (covered.x * covered.y <= 0.0f || (view.ui.legendFolded && isTooMuch(covered, size))) return {};
+  const float margin = view.px(kMargin);
+  return {static_cast<double>(size.x - covered.x - margin), static_cast<double>(margin), static_cast<double>(covered.x),
+          static_cast<double>(covered.y)};
 }
 
 void overlayLegend(const View& view, ImVec2 corner, ImVec2 size) {
-  const ImVec2 needed = legendNeeds(view);
-  if (needed.y <= 0.0f) return;
-  const float margin = view.px(kMargin);
-  const ImVec2 lo{corner.x + size.x - needed.x - margin, corner.y + margin};
-  const ImVec2 hi{lo.x + needed.x, lo.y + needed.y};
+  const Rect covered = legendCovers(view, size);
+  if (covered.height <= 0.0) return;
+  const ImVec2 lo{corner.x + static_cast<float>(covered.x), corner.y + static_cast<float>(covered.y)};
+  const ImVec2 hi{lo.x + static_cast<float>(covered.width), lo.y + static_cast<float>(covered.height)};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(lo, hi, toImU32(faded(view.theme().surface, 0.96)), view.px(6));
   list.AddRect(lo, hi, ImGui::GetColorU32(ImGuiCol_Border), view.px(6));
@@ -60,13 +77,12 @@ void overlayLegend(const View& view, ImVec2 corner, ImVec2 size) {
 
 void drawFoldedLegend(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   const float margin = view.px(kMargin);
-  const float width = ImGui::CalcTextSize(kFolded).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-  // Even a button would be too much: there are the key and the menu.
-  if (width * ImGui::GetFrameHeight() > 0.5f * kMostCovered * size.x * size.y) return;
-  ImGui::SetCursorScreenPos({corner.x + size.x - width - margin, corner.y + margin});
+  const ImVec2 button = foldedSize();
+  if (isTooMuch(button, size)) return;
+  ImGui::SetCursorScreenPos({corner.x + size.x - button.x - margin, corner.y + margin});
   // A window of its own takes the mouse from the picture below.
   bool hovered = false;
-  if (ImGui::BeginChild("folded", {width, ImGui::GetFrameHeight()}, false, ImGuiWindowFlags_NoScrollbar)) {
+  if (ImGui::BeginChild("folded", button, false, ImGuiWindowFlags_NoScrollbar)) {
     if (ImGui::Button(kFolded)) orders.emplace_back(Action::legend);
     note(view, "legend.folded");
     hovered = ImGui::IsItemHovered();

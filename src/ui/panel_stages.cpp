@@ -117,7 +117,7 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
   }
   ImGui::PopID();
   note(view, "stage." + std::string(info.key));
-  if (current) note(view, "stage.current");
+  if (current) note(view, "current_stage");
   std::string hint = std::string(does) + ".";
   hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
   if (!info.figure.empty()) hint += " " + std::string(info.figure) + " of the paper.";

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "render/canvas.h"
 #include "ui/view.h"
 
 namespace triscope {
@@ -52,6 +53,8 @@ void drawLegendRegion(const View& view, Orders& orders);
 void overlayLegend(const View& view, ImVec2 corner, ImVec2 size);
 /// Whether the legend over a picture of this size leaves enough of it.
 bool legendMayCover(const View& view, ImVec2 size);
+/// The part of a picture of this size that the legend or its button covers; empty when none.
+Rect legendCovers(const View& view, ImVec2 size);
 /// A button in the corner of a picture that stands for the legend, which shows while the mouse is on it.
 void drawFoldedLegend(const View& view, Orders& orders, ImVec2 corner, ImVec2 size);
 /// Over a picture with this upper left corner and size: work left behind can be restored.

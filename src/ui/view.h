@@ -71,6 +71,10 @@ struct InsertionUi {
 /// The stage that what is shown belongs to: the last decision's, or the one to come where there is none.
 Stage stageOf(const Snapshot& now);
 
+/// Where the legend was last. While the window stays as it is, it may go on in this order, but not back: it would jump
+/// to and fro while one steps.
+enum class LegendPlace : std::uint8_t { anywhere, column, picture, folded };
+
 /// Everything about the window that is not the run itself.
 struct UiState {
   ViewOptions options;
@@ -98,6 +102,7 @@ struct UiState {
   bool pinned = false;  // a run A is shown beside this one
   bool exporting = false;
   double frameMs = 0.0;
+  LegendPlace legendPlace = LegendPlace::anywhere;
   bool legendFolded = false;  // it has room neither in the right column nor over the picture: a button stands for it
   bool legendOver = false;    // folded, but shown over the picture all the same
   bool tipsWait = false;      // a key was pressed: no tooltip until the mouse moves

@@ -231,6 +231,26 @@ TEST(Scene, BrushedAndObtuseTrianglesStandOut) {
   EXPECT_EQ(legendItem(scene, open)->value, std::to_string(worst));
 }
 
+TEST(Scene, CellsUnderColouredTrianglesAreNotInTheLegend) {
+  const MeshState state = sample::after(sample::kFrame, Stage::step1);
+  ViewOptions view;
+  view.quadtree = true;
+  Scene scene;
+  const auto ramps = [&] {
+    updateScene(scene, state, view, nullptr, nullptr);
+    EXPECT_EQ(scene.layer(LayerId::cells).squares.empty(), view.triangulation && view.fill != TriangleFill::plain);
+    return std::count_if(scene.legend.begin(), scene.legend.end(),
+                         [](const LegendItem& item) { return item.label == "density rank"; });
+  };
+  EXPECT_EQ(ramps(), 1) << "plain triangles let the cells be seen";
+  view.fill = TriangleFill::aspect;
+  EXPECT_EQ(ramps(), 0);
+  view.fill = TriangleFill::density;
+  EXPECT_EQ(ramps(), 1) << "of the triangles";
+  view.triangulation = false;
+  EXPECT_EQ(ramps(), 1) << "of the cells";
+}
+
 TEST(Scene, TheLegendOfAPhaseIsOfWhatThePhaseDraws) {
   MeshState state = sample::after(sample::kFrame, Stage::front2);
   std::vector<Event> events;

@@ -62,7 +62,7 @@ class Insertions(harness.WindowTest):
         # All panels tell of the stage that the insertion is of, whatever came before it.
         for state in states:
             self.assertEqual(state["insertion"]["stage"], "step1")
-            self.assertEqual(state["widgets"]["stage.current"], state["widgets"]["stage.step1"])
+            self.assertEqual(state["widgets"]["current_stage"], state["widgets"]["stage.step1"])
         # The indicator has its place.
         box = states[3]["widgets"]["phases"]
         caption = states[3]["widgets"]["caption"]

@@ -61,6 +61,13 @@ class Look(harness.WindowTest):
         self.assertGreater(changed, 200)
         self.assertTrue(state["figures"]["within_bounds"])
 
+    def test_a_hidden_quadtree_says_so(self):
+        window = self.window
+        window.key("c", "q")
+        window.wait(lambda s: s["layers"]["quadtree"] and "hidden by the coloured triangles" in s["message"], "the hint")
+        window.key("q", "t", "q")
+        window.wait(lambda s: s["layers"]["quadtree"] and not s["message"], "no hint where it is seen")
+
     def test_a_step_is_drawn(self):
         self.window.click("stage.step1")
         self.window.wait(lambda s: s["stage"] == "step1", "step 1")
@@ -149,6 +156,43 @@ class Room(harness.WindowTest):
         window.click("legend.folded")
         window.wait(lambda s: s["layers"]["legend"], "the legend by its button")
 
+    def legend_at(self):
+        widgets = self.window.settled()["widgets"]
+        return [name for name in ("legend", "legend.folded") if name in widgets]
+
+    def test_the_legend_stays_where_it_is_while_one_steps(self):
+        window = self.window
+        window.key("ctrl+equal", "c")
+        window.wait(lambda s: s["scale"] == 1.25, "125 %")
+        seen = []
+        for key in ("End", "shift+F10", "F11", "F11", "F11", "F11", "Escape", "Right", "Left", "End", "Prior", "o", "End"):
+            window.key(key)
+            seen.append((key, self.legend_at()))
+        self.assertEqual({str(place) for _, place in seen}, {"['legend']"}, seen)
+        # Where it has no room, it stays away until the window changes, also where it would have room again.
+        window.key("ctrl+p", "q", "c", "c")
+        seen = []
+        for key in ("shift+F10", "k", "k", "End", "o", "g", "g"):
+            window.key(key)
+            seen.append((key, self.legend_at()))
+        self.assertEqual(len({str(place) for _, place in seen if place}), 1, seen)
+
+    def test_no_label_is_under_the_legend(self):
+        window = self.window
+        for _ in range(4):
+            window.key("ctrl+equal")
+        window.wait(lambda s: s["scale"] == 2 and "legend.folded" in s["widgets"], "the button")
+        window.key("Home")
+        for _ in range(3):
+            widgets = window.settled()["widgets"]
+            left, top, wide, high, _ = widgets["legend.folded"]
+            labels = [box for name, box in widgets.items() if name.startswith("label.")]
+            self.assertGreaterEqual(len(labels), 2)
+            for x, y, width, height, _ in labels:
+                self.assertTrue(x + width <= left or x >= left + wide or y >= top + high or y + height <= top,
+                                (labels, widgets["legend.folded"]))
+            window.key("plus")
+
     def test_no_button_of_the_breakpoints_is_cut(self):
         window = self.window
         for _ in range(4):
@@ -212,7 +256,7 @@ class Captions(harness.WindowTest):
             self.assertLessEqual(top + height, state["widgets"]["timeline"][1], scale)
             self.assertEqual(state["caption"], caption)
             # Beside it the list of stages shows the one that it is about.
-            top = state["widgets"]["stage.current"][1]
+            top = state["widgets"]["current_stage"][1]
             _, above, _, high, _ = state["widgets"]["canvas"]
             self.assertGreaterEqual(top, above, scale)
             self.assertLessEqual(top + 20 * scale, above + high, scale)
