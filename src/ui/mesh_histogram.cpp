@@ -73,16 +73,18 @@ bool brushByMouse(const View& view, Orders& orders, const Histogram& h, std::siz
     memory.SetInt(begun, static_cast<int>(under));
     memory.SetBool(dragged, false);
   }
-  if (ImGui::IsItemActive()) {
+  const bool let = ImGui::IsItemDeactivated();
+  if (ImGui::IsItemActive() || let) {
     if (under != start()) memory.SetBool(dragged, true);
     if (memory.GetBool(dragged))
       setBrush(view, orders, brushOf(h, {std::min(start(), under), std::max(start(), under)}));
-  } else if (ImGui::IsItemDeactivated() && !memory.GetBool(dragged)) {
+  }
+  if (let && !memory.GetBool(dragged)) {
     const bool nothing = h.counts[start()] == 0 || marks(view.ui.options.brush, h, start());
     setBrush(view, orders, nothing ? Brush{} : brushOf(h, {start(), start()}));
   }
   const ImGuiID left = ImGui::GetID("left");  // the bar that the button was let go on
-  if (ImGui::IsItemDeactivated()) memory.SetInt(left, static_cast<int>(under));
+  if (let) memory.SetInt(left, static_cast<int>(under));
   if (!ImGui::IsItemActive() && memory.GetInt(left, -1) != static_cast<int>(under)) memory.SetInt(left, -1);
   return ImGui::IsItemActive() || memory.GetInt(left, -1) >= 0;
 }

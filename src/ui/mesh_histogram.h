@@ -1,4 +1,5 @@
-// How a measure is spread over the triangles of the current mesh; a click on a bar, or a drag over some, marks their triangles.
+// How a measure is spread over the triangles of the current mesh; a click on a bar, or a drag over some, marks their
+// triangles.
 #pragma once
 
 #include "ui/view.h"
