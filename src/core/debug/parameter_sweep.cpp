@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/history/history.h"
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
 
@@ -87,8 +88,7 @@ Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view tex
 }
 
 bool precedesRefinement(const MeshState& state, const Settings& settings) {
-  const bool begun = state.stage > Stage::refine || (state.stage == Stage::refine && state.cursor.begun);
-  return !begun && firstAffected(state.settings, settings) >= Stage::refine;
+  return !hasComeTo(state, Stage::refine) && firstAffected(state.settings, settings) >= Stage::refine;
 }
 
 std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& omegas,
