@@ -335,10 +335,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
 void StateFile::update(const std::string& text, std::uint64_t frame) {
   if (!wanted() || text == last_) return;
   last_ = text;
-  Result<AtomicFile> file = AtomicFile::create(path_);
-  if (!file) return;
-  const std::string whole = fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame);
-  if (file->write(whole)) (void)file->commit();
+  (void)writeWhole(path_, fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame));
 }
 
 }  // namespace triscope
