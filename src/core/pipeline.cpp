@@ -184,4 +184,12 @@ bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& j
   return !reached() && state.stage != Stage::finished;
 }
 
+bool advanceUntil(MeshState& state, Stage stage, const std::atomic<bool>& cancel) {
+  constexpr std::uint64_t kSlice = 64;
+  Journal nobody;
+  while (!cancel && advanceUntil(state, stage, kSlice, nobody)) {
+  }
+  return !cancel;
+}
+
 }  // namespace triscope

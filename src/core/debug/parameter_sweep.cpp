@@ -19,7 +19,6 @@ namespace triscope {
 namespace {
 
 constexpr double kMostValues = 1000.0;
-constexpr std::uint64_t kSlice = 64;  // decisions between two looks at `cancel`
 
 bool readNumber(std::string_view text, double& value) {
   const char* const last = text.data() + text.size();
@@ -44,10 +43,7 @@ Error noRange(std::string_view key, std::string_view text) {
 std::optional<SweepRow> carryOut(MeshState state, double omega, double theta, const std::atomic<bool>& cancel) {
   state.settings.omega = omega;
   state.settings.theta = theta;
-  Journal nobody;
-  while (!cancel && advanceUntil(state, Stage::refine, kSlice, nobody)) {
-  }
-  if (cancel) return std::nullopt;
+  if (!advanceUntil(state, Stage::refine, cancel)) return std::nullopt;
   const StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::refine)];
   return SweepRow{omega, theta, measure(state.mesh), counts.moved, counts.refused};
 }

@@ -63,7 +63,7 @@ bool Recording::toEvent(std::size_t index) {
 }
 
 bool Recording::toStage(Stage stage) {
-  if (state_.stage > stage || (state_.stage == stage && state_.cursor.begun) || state_.round > 1) returnTo(0);
+  if (hasComeTo(state_, stage)) returnTo(0);
   Journal journal{&beat_};
   while (state_.stage != stage) {
     const std::uint64_t tick = state_.tick;
