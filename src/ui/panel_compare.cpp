@@ -90,24 +90,25 @@ void settings(const View& view) {
 void parting(const View& view, Orders& orders) {
   heading(view, "First event that differs");
   const std::optional<std::size_t>& first = view.pinned->firstDifference();
-  if (view.pinned->session().busy()) {
+  const bool making = view.pinned->session().busy();
+  const bool differ = !making && first;
+  if (making) {
     muted(view, "Run A is being made.");
-  } else if (!first) {
+  } else if (!differ) {
     muted(view, "None: both runs tell the same.");
   } else {
-    const auto tell = [first](const char* run, const EventLog& events) {
-      const std::string what = *first < events.size() ? captionOf(events[*first]) : "The run is over.";
-      ImGui::TextWrapped("%s: %s", run, what.c_str());
-    };
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("event %s", grouped(*first).c_str());
     besideIfFits(std::string(infoOf(Action::first_difference).label).c_str());
-    actionButton(view, orders, Action::first_difference, Icon::none);
-    tell("A", view.pinned->session().runEvents());
-    tell("B", view.session.runEvents());
-    return;
   }
   actionButton(view, orders, Action::first_difference, Icon::none);
+  if (!differ) return;
+  const auto tell = [first](const char* run, const EventLog& events) {
+    const std::string what = *first < events.size() ? captionOf(events[*first]) : "The run is over.";
+    wrapped(fmt::format("{}: {}", run, what));
+  };
+  tell("A", view.pinned->session().runEvents());
+  tell("B", view.session.runEvents());
 }
 
 }  // namespace

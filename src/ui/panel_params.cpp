@@ -113,10 +113,7 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   }
   if (outsidePaper(info, before)) {
     ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(
-        fmt::format("outside the paper's range, {} to {}", compact(info.paperLow), compact(info.paperHigh)).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped(fmt::format("outside the paper's range, {} to {}", compact(info.paperLow), compact(info.paperHigh)));
     ImGui::PopStyleColor();
   }
   if (changed && value != before && setSetting(settings, info, value)) {

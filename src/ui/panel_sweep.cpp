@@ -142,7 +142,7 @@ bool allBreakBounds(const SweepTable& table) {
 void remarks(const View& view, const std::string& outOfDate) {
   if (!outOfDate.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
-    ImGui::TextWrapped("%s", outOfDate.c_str());
+    wrapped(outOfDate);
     ImGui::PopStyleColor();
     note(view, "sweep.stale");
     return;
