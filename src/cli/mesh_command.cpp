@@ -20,7 +20,7 @@ namespace {
 void warnOfUnusualSettings(const Settings& settings) {
   for (const SettingInfo& info : settingTable()) {
     const double value = settingValue(settings, info);
-    if (info.paperLow < info.paperHigh && (value < info.paperLow || value > info.paperHigh))
+    if (outsidePaper(info, value))
       fmt::print(stderr, "note: {} = {:g} is outside the paper's {:g} to {:g}\n", info.key, value, info.paperLow,
                  info.paperHigh);
   }

@@ -6,23 +6,12 @@
 
 #include "core/counted.h"
 #include "core/debug/bound_text.h"
+#include "core/debug/compare.h"
 #include "core/domain/read.h"
 #include "core/session_worker.h"
 
 namespace triscope {
 namespace {
-
-/// "omega = 0.2, theta = 9" of the settings that are not as they come; "" when all are.
-std::string changedFrom(const Settings& standard, const Settings& settings) {
-  std::string list;
-  for (const SettingInfo& info : settingTable()) {
-    const double value = settingValue(settings, info);
-    if (value == settingValue(standard, info)) continue;
-    if (!list.empty()) list += ", ";
-    list += fmt::format("{} = {:g}", info.symbol.empty() ? info.key : info.symbol, value);
-  }
-  return list;
-}
 
 /// ": aspect ratio 15, not < 4.31, at (1, 2)" of the first bound that the mesh does not meet once the rounds are over.
 std::string unmetIn(const MeshState& state) {
@@ -81,7 +70,7 @@ void SessionWorker::open(std::shared_ptr<const Domain> domain) {
   settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
   const bool another = !state_.domain || state_.domain->file.empty() || state_.domain->file != domain->file;
   if (!startOver(std::move(domain), settings)) return;
-  const std::string kept = changedFrom(Settings{}, settings);
+  const std::string kept = differencesText(differences(Settings{}, settings), &SettingDifference::b);
   if (another && !kept.empty()) notice_ = fmt::format("Kept from the domain before: {}. Params sets it back.", kept);
   head({.kind = Goal::Kind::end}, Activity::meshing);
 }

@@ -6,9 +6,9 @@
 #include <array>
 
 #include "core/io/atomic_file.h"
+#include "core/number.h"
 #include "core/pipeline.h"
 #include "render/boundary_points.h"
-#include "render/number.h"
 #include "render/raster.h"
 #include "render/svg.h"
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/app.h"
 #include "ui/panels.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/density/quadtree.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "render/picture.h"
 #include "ui/density_handles.h"
 #include "ui/imgui_canvas.h"

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "core/caption.h"
+#include "core/number.h"
 #include "core/pipeline.h"
-#include "render/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

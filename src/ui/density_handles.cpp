@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/density/quadtree.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/style.h"
 
 namespace triscope {

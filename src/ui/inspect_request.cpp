@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/density/quadtree.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/density_handles.h"
 #include "ui/widgets.h"
 

@@ -6,7 +6,7 @@
 #include <initializer_list>
 
 #include "core/caption.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/pinned_run.h"
 #include "ui/style.h"
@@ -80,7 +80,7 @@ void settings(const View& view) {
   }
   if (!beginTable(view, "settings", {"parameters", "A", "B"})) return;
   for (const SettingDifference& d : list) {
-    nameCell(d.setting->symbol.empty() ? std::string(d.setting->label) : std::string(d.setting->symbol));
+    nameCell(std::string(settingName(*d.setting)));
     for (const double value : {d.a, d.b}) valueCell(view, settingText(*d.setting, value));
   }
   ImGui::EndTable();
@@ -112,12 +112,6 @@ void parting(const View& view, Orders& orders) {
 }
 
 }  // namespace
-
-std::string settingText(const SettingInfo& info, double value) {
-  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
-  if (info.unit == "length" && value == 0.0) return "auto";
-  return compact(value, 4) + (info.unit == "deg" ? "\xC2\xB0" : "");
-}
 
 void drawCompare(const View& view, Orders& orders) {
   if (view.pinned == nullptr) {

@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "render/number.h"
+#include "core/debug/compare.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
 namespace triscope {
 namespace {
-
-bool outsidePaper(const SettingInfo& info, double value) {
-  return info.paperLow != info.paperHigh && (value < info.paperLow || value > info.paperHigh);
-}
 
 bool isLength(const SettingInfo& info) { return info.unit == "length"; }
 
@@ -131,11 +128,8 @@ std::string commandLine(const View& view) {
   const Domain& domain = *view.now()->state.domain;
   std::string text =
       fmt::format("triscope mesh '{}' -o mesh.msh", domain.file.empty() ? domain.name + ".json" : domain.file);
-  const Settings standard;
-  for (const SettingInfo& info : settingTable()) {
-    const double value = settingValue(view.session.settings(), info);
-    if (value != settingValue(standard, info)) text += fmt::format(" --set {}={}", info.key, value);
-  }
+  for (const SettingDifference& d : differences(Settings{}, view.session.settings()))
+    text += fmt::format(" --set {}={}", d.setting->key, d.b);
   return text;
 }
 

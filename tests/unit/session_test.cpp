@@ -447,6 +447,8 @@ TEST(Session, SaysWhichParametersAnotherDomainKeeps) {
   doNow(session, command::OpenDomain{square(1.0)});
   Settings settings = session.settings();
   settings.omega = 0.2;
+  settings.theta = 9.0;
+  settings.sharedEdge = false;
   doNow(session, command::Change{settings});
   Domain other = *square(0.5);
   doNow(session, command::OpenDomain{std::make_shared<const Domain>(other)});
@@ -454,7 +456,8 @@ TEST(Session, SaysWhichParametersAnotherDomainKeeps) {
   other.file = "other.json";
   doNow(session, command::OpenDomain{std::make_shared<const Domain>(other)});
   EXPECT_EQ(session.settings().omega, 0.2);
-  EXPECT_EQ(session.notice(), "Kept from the domain before: ω = 0.2. Params sets it back.");
+  EXPECT_EQ(session.notice(),
+            "Kept from the domain before: ω = 0.2, θ = 9°, step 6: move shared edges = off. Params sets it back.");
 }
 
 TEST(Session, TellsTheFirstViolationInWords) {

@@ -1,5 +1,7 @@
 #include "core/debug/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,6 +49,15 @@ std::vector<SettingDifference> differences(const Settings& a, const Settings& b)
     if (x != y) list.push_back({&info, x, y});
   }
   return list;
+}
+
+std::string differencesText(std::span<const SettingDifference> list, double SettingDifference::* side,
+                            std::string_view is) {
+  std::string text;
+  for (const SettingDifference& d : list)
+    text += fmt::format("{}{} {} {}", text.empty() ? "" : ", ", settingName(*d.setting), is,
+                        settingText(*d.setting, d.*side));
+  return text;
 }
 
 std::vector<FigurePair> figurePairs(const Quality& a, const Quality& b) {
