@@ -29,7 +29,7 @@ class Object {
   std::string text_;
 };
 
-constexpr std::array<std::string_view, 4> kActivities{"idle", "stepping", "playing", "meshing"};
+constexpr std::array<std::string_view, 5> kActivities{"idle", "stepping", "playing", "meshing", "searching"};
 constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
 constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
 constexpr std::array<std::string_view, 7> kDialogs{"none", "open", "save", "export", "error", "help", "about"};

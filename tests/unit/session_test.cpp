@@ -262,6 +262,27 @@ TEST(Session, ACancelledLoadKeepsTheDomainFromBefore) {
   }
 }
 
+TEST(Session, ASearchThatIsGivenUpLeavesTheRunWhereItIs) {
+  const auto domain = square(0.15);
+  Settings settings;
+  settings.maxRank = 1;  // fine everywhere
+  Session session;
+  const std::uint64_t end = doNow(session, command::Load{domain, settings, std::nullopt}).state.tick;
+  const std::uint64_t there = hashOf(doNow(session, command::Seek{end / 2}).state);
+  for (const Command& search : {Command(command::FindViolation{}), Command(command::Continue{true})}) {
+    session.apply(command::SetBreakpoints{{{*Condition::compile("triangle == 1 and vertex == 1")}}});
+    session.apply(search);
+    session.apply(command::Cancel{});
+    EXPECT_TRUE(session.settle(kForever));
+    EXPECT_FALSE(session.busy());
+    EXPECT_EQ(session.notice(), "The search was stopped.");
+    EXPECT_EQ(session.current()->state.tick, end / 2);
+    EXPECT_EQ(hashOf(session.current()->state), there);
+    EXPECT_EQ(session.record().ticks, end);
+  }
+  EXPECT_EQ(hashOf(doNow(session, command::Advance{Grain::all}).state), hashOf(straightRun(domain, settings, nullptr)));
+}
+
 TEST(Session, TellsTheFirstViolationInWords) {
   Result<Domain> wedge =
       parseDomain(R"({"name": "wedge", "min_edge_length": 0.2, "outer": [[0,0],[10,0],[10,2]]})", "wedge.json");
