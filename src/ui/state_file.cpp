@@ -107,7 +107,7 @@ std::string keys() {
   Object out;
   for (const ActionInfo& info : actions()) {
     std::string list;
-    for (const Chord& chord : info.chords)
+    for (const KeyChord& chord : info.chords)
       if (chord.key != 0) list += (list.empty() ? "" : ", ") + jsonText(textOf(chord));
     out.add(info.key, "[" + list + "]");
   }
