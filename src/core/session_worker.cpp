@@ -12,9 +12,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto kSlice = milliseconds(5);          // a slice is not interrupted: this bounds how late a cancel is
-constexpr auto kFrame = milliseconds(33);         // playing: no use in publishing more often than it is drawn
-constexpr auto kLongStep = milliseconds(250);     // stepping: how often a long step shows how far it is
+constexpr auto kSlice = milliseconds(5);           // a slice is not interrupted: this bounds how late a cancel is
+constexpr auto kFrame = milliseconds(33);          // playing: no use in publishing more often than it is drawn
+constexpr auto kLongStep = milliseconds(250);      // stepping: how often a long step shows how far it is
 constexpr std::uint64_t kMostEvents = 16'000'000;  // about half a gigabyte; later events are made but not kept
 constexpr std::size_t kMostHits = 10'000;
 

@@ -55,9 +55,10 @@ void writePreferences(const std::string& path, const Appearance& look) {
   const char* theme = "light";
   for (const auto& [kind, word] : kThemes)
     if (kind == look.theme) theme = word;
-  (void)writeWhole(path, fmt::format(
-      "theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nbottom height = {:g}\nlegend = {}\n", theme,
-      look.scale, look.leftWidth, look.rightWidth, look.bottomHeight, look.legend ? "on" : "off"));
+  (void)writeWhole(
+      path, fmt::format(
+                "theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nbottom height = {:g}\nlegend = {}\n",
+                theme, look.scale, look.leftWidth, look.rightWidth, look.bottomHeight, look.legend ? "on" : "off"));
 }
 
 }  // namespace triscope
