@@ -17,6 +17,9 @@
 namespace triscope {
 namespace {
 
+/// Lines are worded as the window has them, apart from their digits: scripts read these.
+std::string plainText(const Line& line) { return ungrouped(textOf(line)); }
+
 TriangleFacts factsAt(const Recording& recording, Ref ref) {
   if (ref.kind != Ref::Kind::triangle) return {};
   if (const auto alive = factsOf(recording.state().mesh, ref.id)) return *alive;
@@ -91,7 +94,7 @@ std::string jsonOf(const Line& line) {
     links += fmt::format("{}{{\"kind\": {}, \"id\": {}}}", links.empty() ? "" : ", ", jsonText(nameOf(span.link->kind)),
                          span.link->id);
   }
-  return fmt::format("{{\"text\": {}, \"links\": [{}]}}", jsonText(textOf(line)), links);
+  return fmt::format("{{\"text\": {}, \"links\": [{}]}}", jsonText(plainText(line)), links);
 }
 
 std::string worstAsJson(const Mesh& mesh, const Quality& quality) {
@@ -125,10 +128,11 @@ std::string answersAsText(const Stop& stop, const std::vector<Print>& prints) {
   std::string text = fmt::format("tick {}, events {}, stage {}\n", state.tick, stop.recording.events().size(),
                                  infoOf(state.stage).key);
   if (stop.event)
-    text += fmt::format("stopped by {}\n  {}\n", stop.condition, textOf(lineOf(stop.recording.events(), *stop.event)));
+    text +=
+        fmt::format("stopped by {}\n  {}\n", stop.condition, plainText(lineOf(stop.recording.events(), *stop.event)));
   for (const Print& print : prints) {
     text += fmt::format("\n{}\n", print.text);
-    for (const Line& line : linesOf(stop, print, quality)) text += fmt::format("  {}\n", textOf(line));
+    for (const Line& line : linesOf(stop, print, quality)) text += fmt::format("  {}\n", plainText(line));
   }
   return text;
 }

@@ -103,8 +103,7 @@ ExitCode runCommand(const DebugCommand& options) {
   std::optional<Hit> hit;
   if (!breakpoints->empty()) {
     std::vector<Hit> passed;
-    hit = options.back ? recording.toPreviousHit(*breakpoints, interruptFlag())
-                       : recording.toNextHit(*breakpoints, passed);
+    hit = options.back ? recording.toPreviousHit(*breakpoints) : recording.toNextHit(*breakpoints, passed);
     if (interrupted()) return fail(stopped());
   }
   progress.clear();

@@ -20,7 +20,7 @@ namespace {
 void warnOfUnusualSettings(const Settings& settings) {
   for (const SettingInfo& info : settingTable()) {
     const double value = settingValue(settings, info);
-    if (info.paperLow < info.paperHigh && (value < info.paperLow || value > info.paperHigh))
+    if (outsidePaper(info, value))
       fmt::print(stderr, "note: {} = {:g} is outside the paper's {:g} to {:g}\n", info.key, value, info.paperLow,
                  info.paperHigh);
   }
@@ -40,13 +40,6 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
     if (!worst.met()) fmt::print(stderr, "note: {}\n", unmetText(state.mesh, quality, worst));
 }
 
-Status writeText(const std::string& path, std::string_view text) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file.ok()) return file.error();
-  if (const Status written = file->write(text); !written.ok()) return written;
-  return file->commit();
-}
-
 /// Everything that was asked for. Of a run that failed only the report and the events are written: they say why.
 Status writeAll(const MeshCommand& options, const MeshState& state, const Quality& quality, const StageSeconds& seconds,
                 std::optional<EventsFile>& events) {
@@ -55,7 +48,7 @@ Status writeAll(const MeshCommand& options, const MeshState& state, const Qualit
       return written;
   }
   if (!options.report.empty()) {
-    if (Status written = writeText(options.report, reportOf(state, quality, seconds)); !written.ok()) return written;
+    if (Status written = writeWhole(options.report, reportOf(state, quality, seconds)); !written.ok()) return written;
   }
   return events ? events->finish() : success();
 }

@@ -9,7 +9,7 @@
 
 namespace triscope {
 
-/// The last stage that a name stands for. The error lists the names.
+/// The last stage that a name stands for. The error lists the names, and says why a stage of the rounds has none.
 Result<Stage> stageNamed(std::string_view name);
 /// All names, in the order that the stages run, separated by commas.
 std::string stageNames();

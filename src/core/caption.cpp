@@ -1,5 +1,4 @@
 #include "core/caption.h"
-#include "core/quality/bound_figure.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 
 #include "core/counted.h"
 #include "core/pipeline.h"
+#include "core/quality/bound_figure.h"
 
 namespace triscope {
 namespace {

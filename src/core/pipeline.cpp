@@ -7,6 +7,8 @@
 
 #include "core/density/quadtree.h"
 #include "core/density/sources.h"
+#include "core/domain/loop_of.h"
+#include "core/domain/shortest_line.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -93,17 +95,11 @@ Error tooFine(const Domain& domain, double minEdge, double extent, bool derived)
   error.hint = "give a larger min_edge_length, or scale the domain's details up";
   error.file = domain.file;
   if (!derived) return error;
-  double shortest = extent;
-  for (const Loop& loop : domain.loops) {
-    for (std::uint32_t i = loop.firstCurve; i < loop.firstCurve + loop.curveCount; ++i) {
-      const Curve& curve = domain.curves[i];
-      if (curve.kind != CurveKind::line || distance(curve.a, curve.b) >= shortest) continue;
-      shortest = distance(curve.a, curve.b);
-      error.loop = loop.name;
-      error.at = curve.a;
-    }
-  }
-  error.message += fmt::format("; the shortest edge of the domain is {:.3g} long", shortest);
+  const ShortestLine shortest = shortestLine(domain);
+  if (shortest.length > extent) return error;
+  error.loop = loopOf(domain, shortest.curve).name;
+  error.at = domain.curves[shortest.curve].a;
+  error.message += fmt::format("; the shortest edge of the domain is {:.3g} long", shortest.length);
   return error;
 }
 
@@ -186,6 +182,14 @@ bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& j
     if (beat(state, journal) == Beat::over) break;
   }
   return !reached() && state.stage != Stage::finished;
+}
+
+bool advanceUntil(MeshState& state, Stage stage, const std::atomic<bool>& cancel) {
+  constexpr std::uint64_t kSlice = 64;
+  Journal nobody;
+  while (!cancel && advanceUntil(state, stage, kSlice, nobody)) {
+  }
+  return !cancel;
 }
 
 }  // namespace triscope

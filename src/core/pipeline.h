@@ -1,6 +1,7 @@
 // The stage table, and the one way to carry a state on.
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <string_view>
 
@@ -39,5 +40,8 @@ bool advance(MeshState& state, Grain grain, Journal& journal);
 /// Carries on until `stage` is over (step5: until the last round and its repairs are over), or for at most `limit`
 /// beats (decisions and changes of stage). Returns true while there is more to do before that.
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal);
+/// The same without a limit, and without a listener. Returns false when `cancel` became true, which is looked at every
+/// few decisions.
+bool advanceUntil(MeshState& state, Stage stage, const std::atomic<bool>& cancel);
 
 }  // namespace triscope

@@ -93,11 +93,17 @@ using Command =
                  command::Seek, command::StepBack, command::SeekEvent, command::GoTo, command::Restart, command::Play,
                  command::Pause, command::Cancel, command::SetBreakpoints, command::Continue, command::FindViolation>;
 
-enum class Activity : std::uint8_t { idle, stepping, playing, meshing };
+enum class Activity : std::uint8_t {
+  idle,
+  stepping,
+  playing,
+  meshing,
+  searching,  // through the run for a decision; what is shown stays
+};
 
 struct Progress {
   Activity activity = Activity::idle;
-  Stage stage = Stage::constraints;
+  Stage stage = Stage::constraints;  // this and the next four: of the run, or of where a search is
   std::uint64_t tick = 0;
   std::size_t triangles = 0;
   double estimated = 0.0;  // triangles in the end by Table 1; 0 while unknown

@@ -306,10 +306,7 @@ Result<SessionFile> parseSession(std::string_view json, const std::string& fileN
 }
 
 Status writeSession(const std::string& path, const SessionFile& session) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file.ok()) return file.error();
-  if (const Status written = file->write(sessionText(session)); !written.ok()) return written;
-  return file->commit();
+  return writeWhole(path, sessionText(session));
 }
 
 Result<SessionFile> readSession(const std::string& path) {

@@ -6,23 +6,15 @@
 
 #include "core/counted.h"
 #include "core/debug/bound_text.h"
+#include "core/debug/compare.h"
 #include "core/domain/read.h"
 #include "core/session_worker.h"
 
 namespace triscope {
 namespace {
 
-/// "omega = 0.2, theta = 9" of the settings that are not as they come; "" when all are.
-std::string changedFrom(const Settings& standard, const Settings& settings) {
-  std::string list;
-  for (const SettingInfo& info : settingTable()) {
-    const double value = settingValue(settings, info);
-    if (value == settingValue(standard, info)) continue;
-    if (!list.empty()) list += ", ";
-    list += fmt::format("{} = {:g}", info.symbol.empty() ? info.key : info.symbol, value);
-  }
-  return list;
-}
+constexpr auto kSearchNews = std::chrono::milliseconds(100);  // how often a search tells how far it is …
+constexpr std::uint64_t kLooksPerNews = 64;                   // … where it looks at the clock after so many decisions
 
 /// ": aspect ratio 15, not < 4.31, at (1, 2)" of the first bound that the mesh does not meet once the rounds are over.
 std::string unmetIn(const MeshState& state) {
@@ -38,7 +30,9 @@ std::string unmetIn(const MeshState& state) {
 void SessionWorker::carryOut(const Command& order) {
   ++ordersDone_;
   error_.reset();
-  if (!std::holds_alternative<command::SetBreakpoints>(order)) notice_.clear();
+  // What was given up is still to be told.
+  if (!std::holds_alternative<command::SetBreakpoints>(order) && !std::holds_alternative<command::Cancel>(order))
+    notice_.clear();
   struct Visitor {
     SessionWorker& w;
     void operator()(const command::OpenFile& c) const {
@@ -81,7 +75,7 @@ void SessionWorker::open(std::shared_ptr<const Domain> domain) {
   settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
   const bool another = !state_.domain || state_.domain->file.empty() || state_.domain->file != domain->file;
   if (!startOver(std::move(domain), settings)) return;
-  const std::string kept = changedFrom(Settings{}, settings);
+  const std::string kept = differencesText(differences(Settings{}, settings), &SettingDifference::b);
   if (another && !kept.empty()) notice_ = fmt::format("Kept from the domain before: {}. Params sets it back.", kept);
   head({.kind = Goal::Kind::end}, Activity::meshing);
 }
@@ -190,8 +184,8 @@ void SessionWorker::goOn(bool backwards) {
 
 void SessionWorker::goBackToBreakpoint() {
   if (goal_.kind != Goal::Kind::none) publishState();
-  head({}, Activity::stepping);
-  const std::optional<Hit> hit = continueBackward(history_, state_.tick, breakpoints_, interrupt_);
+  head({}, Activity::searching);
+  const std::optional<Hit> hit = continueBackward(history_, state_.tick, breakpoints_, searchPulse(state_.tick));
   if (hit) {
     takeHit(*hit, breakpoints_);
     return seek(hit->tick);
@@ -202,12 +196,13 @@ void SessionWorker::goBackToBreakpoint() {
 void SessionWorker::findViolation() {
   if (backup_) cancel();
   if (goal_.kind != Goal::Kind::none) publishState();
-  head({}, Activity::stepping);
+  head({}, Activity::searching);
   const std::vector<Breakpoint> rules = violationBreakpoints();
   MeshState probe = history_.before(0).state;
   probe.settings = state_.settings;
   std::vector<Hit> passed;
-  const std::optional<Hit> hit = continueForward(probe, rules, passed, interrupt_);
+  const RunRecord& run = recorder_.record();
+  const std::optional<Hit> hit = continueForward(probe, rules, passed, searchPulse(run.complete ? run.ticks : 0));
   if (hit) {
     takeHit(*hit, rules);
     notice_ =
@@ -216,6 +211,16 @@ void SessionWorker::findViolation() {
   }
   rest(interrupt_ ? "The search was stopped."
                   : "No rule is broken in the whole run, and no bound once steps 1–5 are over.");
+}
+
+SearchPulse SessionWorker::searchPulse(std::uint64_t total) {
+  return [this, total, looked = std::uint64_t{0}](const MeshState& probe) mutable {
+    if (interrupt_.load(std::memory_order_relaxed)) return false;
+    if (++looked % kLooksPerNews == 0 && Clock::now() - lastPublished_ >= kSearchNews)
+      publishSearch(
+          probe, total == 0 ? std::nullopt : std::optional(static_cast<double>(looked) / static_cast<double>(total)));
+    return true;
+  };
 }
 
 void SessionWorker::cancel() {
@@ -236,14 +241,14 @@ void SessionWorker::cancel() {
   hits_ = std::move(backup.hits);
   goal_ = {};
   watch_.reset();
-  progress_.activity = Activity::idle;
+  activity_ = Activity::idle;
   publishProgress();
 }
 
 void SessionWorker::head(Goal goal, Activity activity) {
   watch_.reset();
   goal_ = goal;
-  progress_.activity = activity;
+  activity_ = activity;
   owed_ = goal.kind == Goal::Kind::play ? 1.0 : 0.0;  // the first decision at once
   goalSince_ = lastSlice_ = Clock::now();
   lastPublished_ = goalSince_;
@@ -278,13 +283,13 @@ void SessionWorker::halt() {
   goal_ = {};
   watch_.reset();
   backup_.reset();
-  progress_.activity = Activity::idle;
+  activity_ = Activity::idle;
   publishState();
 }
 
 void SessionWorker::rest(std::string notice) {
   notice_ = std::move(notice);
-  progress_.activity = Activity::idle;
+  activity_ = Activity::idle;
   publishProgress();
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto kSlice = milliseconds(5);          // a slice is not interrupted: this bounds how late a cancel is
-constexpr auto kFrame = milliseconds(33);         // playing: no use in publishing more often than it is drawn
-constexpr auto kLongStep = milliseconds(250);     // stepping: how often a long step shows how far it is
+constexpr auto kSlice = milliseconds(5);           // a slice is not interrupted: this bounds how late a cancel is
+constexpr auto kFrame = milliseconds(33);          // playing: no use in publishing more often than it is drawn
+constexpr auto kLongStep = milliseconds(250);      // stepping: how often a long step shows how far it is
 constexpr std::uint64_t kMostEvents = 16'000'000;  // about half a gigabyte; later events are made but not kept
 constexpr std::size_t kMostHits = 10'000;
 
@@ -254,16 +254,20 @@ std::shared_ptr<const MeshState> SessionWorker::beforeRefinement() const {
   return nullptr;
 }
 
+Progress SessionWorker::progressAt(const MeshState& state) const {
+  return {.activity = activity_,
+          .stage = state.stage,
+          .tick = state.tick,
+          .triangles = state.mesh.liveCount(),
+          .estimated = state.estimatedTriangles,
+          .fraction = fractionDone(state),
+          .seconds = std::chrono::duration<double>(Clock::now() - goalSince_).count()};
+}
+
 Publication& SessionWorker::outbox() {
   if (!outbox_) outbox_.emplace();
   Publication& news = *outbox_;
-  progress_.stage = state_.stage;
-  progress_.tick = state_.tick;
-  progress_.triangles = state_.mesh.liveCount();
-  progress_.estimated = state_.estimatedTriangles;
-  progress_.fraction = fractionDone(state_);
-  progress_.seconds = std::chrono::duration<double>(Clock::now() - goalSince_).count();
-  news.progress = progress_;
+  news.progress = progressAt(state_);
   news.settings = state_.settings;
   news.domain = state_.domain;
   news.beforeRefinement = beforeRefinement();
@@ -279,6 +283,17 @@ void SessionWorker::publishProgress() {
   {
     const std::lock_guard lock(mutex_);
     outbox();
+  }
+  lastPublished_ = Clock::now();
+  if (wake_) wake_();
+}
+
+void SessionWorker::publishSearch(const MeshState& probe, std::optional<double> fraction) {
+  {
+    const std::lock_guard lock(mutex_);
+    Progress& progress = outbox().progress;
+    progress = progressAt(probe);
+    if (fraction) progress.fraction = *fraction;
   }
   lastPublished_ = Clock::now();
   if (wake_) wake_();

@@ -111,6 +111,9 @@ class SessionWorker {
   void goOn(bool backwards);
   void goBackToBreakpoint();
   void findViolation();
+  /// For a search through `total` decisions (0: not known how many): tells now and then how far it is, and gives it up
+  /// when a command waits.
+  SearchPulse searchPulse(std::uint64_t total);
   void cancel();
   void head(Goal goal, Activity activity);
   void headFor(Grain grain);
@@ -141,6 +144,8 @@ class SessionWorker {
   [[nodiscard]] std::shared_ptr<const MeshState> beforeRefinement() const;
   void publishState();
   void publishProgress();
+  void publishSearch(const MeshState& probe, std::optional<double> fraction);
+  [[nodiscard]] Progress progressAt(const MeshState& state) const;
   Publication& outbox();
 
   std::function<void()> wake_;
@@ -177,7 +182,7 @@ class SessionWorker {
   bool hitsChanged_ = false;
   std::string notice_;
   Goal goal_;
-  Progress progress_;
+  Activity activity_ = Activity::idle;
   std::optional<Error> error_;
   std::uint64_t failures_ = 0;
   std::uint64_t revision_ = 0;

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/number.h"
+
 namespace triscope {
 namespace {
 
@@ -113,6 +115,18 @@ Stage firstAffected(const Settings& a, const Settings& b) {
 
 double settingValue(const Settings& settings, const SettingInfo& info) {
   return std::visit([&](const auto member) { return static_cast<double>(settings.*member); }, info.member);
+}
+
+bool outsidePaper(const SettingInfo& info, double value) {
+  return info.paperLow < info.paperHigh && (value < info.paperLow || value > info.paperHigh);
+}
+
+std::string_view settingName(const SettingInfo& info) { return info.symbol.empty() ? info.label : info.symbol; }
+
+std::string settingText(const SettingInfo& info, double value) {
+  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
+  if (info.unit == "length" && value == 0.0) return "auto";
+  return compact(value, 4) + (info.unit == "deg" ? "°" : "");
 }
 
 Status setSetting(Settings& settings, std::string_view key, std::string_view value) {

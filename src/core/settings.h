@@ -51,6 +51,12 @@ bool refines(const Settings& settings);
 /// First stage that the difference between two settings can matter to; `finished` when they are the same.
 Stage firstAffected(const Settings& a, const Settings& b);
 double settingValue(const Settings& settings, const SettingInfo& info);
+/// Whether the paper gives a range for it that the value is not in.
+bool outsidePaper(const SettingInfo& info, double value);
+/// What people know it by: the paper's symbol, or its label where the paper has none.
+std::string_view settingName(const SettingInfo& info);
+/// A value as people read it: "0.15", "7.5°", "on", "auto" for a Δx that is not given.
+std::string settingText(const SettingInfo& info, double value);
 /// Sets one value given as text ("0.15", "true", "off"). Errors name the key, the range and the default.
 Status setSetting(Settings& settings, std::string_view key, std::string_view value);
 /// Sets one value given as a number (bools: 0 or 1); refuses what is out of range.

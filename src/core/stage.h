@@ -25,6 +25,9 @@ enum class Stage : std::uint8_t {
   finished,
 };
 
+/// Whether a stage belongs to the rounds, each of which goes through all of them again.
+constexpr bool inRounds(Stage stage) { return stage >= Stage::step2 && stage <= Stage::repair; }
+
 inline constexpr int kStageCount = static_cast<int>(Stage::finished) + 1;
 
 }  // namespace triscope

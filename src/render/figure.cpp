@@ -6,9 +6,9 @@
 #include <array>
 
 #include "core/io/atomic_file.h"
+#include "core/number.h"
 #include "core/pipeline.h"
 #include "render/boundary_points.h"
-#include "render/number.h"
 #include "render/raster.h"
 #include "render/svg.h"
 
@@ -32,13 +32,6 @@ Error usage(const std::string& path, std::string message, std::string hint) {
   error.message = std::move(message);
   error.hint = std::move(hint);
   return error;
-}
-
-Status save(const std::string& path, std::string_view bytes) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file.ok()) return file.error();
-  if (const Status written = file->write(bytes); !written.ok()) return written;
-  return file->commit();
 }
 
 using Cells = CellColoring;
@@ -152,10 +145,10 @@ Status writeFigure(const std::string& path, const MeshState& state, const ViewOp
   const double aspect = box.width() > 0.0 && box.height() > 0.0 ? box.width() / box.height() : 1.0;
   const PictureLayout layout = layoutWithin(options.width, options.height, aspect, scene, picture);
   const Camera camera = fitted(box, layout.plot.width, layout.plot.height, margin);
-  if (format == Format::svg) return save(path, svg(scene, camera, layout, picture));
+  if (format == Format::svg) return writeWhole(path, svg(scene, camera, layout, picture));
   const Result<std::string> png = encodePng(rasterize(scene, camera, layout, picture));
   if (!png.ok()) return png.error();
-  return save(path, *png);
+  return writeWhole(path, *png);
 }
 
 }  // namespace triscope

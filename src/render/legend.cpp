@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/number.h"
 #include "core/quality/bound_figure.h"
 #include "render/boundary_points.h"
-#include "render/number.h"
 #include "render/scene_parts.h"
 
 namespace triscope {

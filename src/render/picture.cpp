@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number.h"
 #include "render/legend_panel.h"
-#include "render/number.h"
 
 namespace triscope {
 namespace {

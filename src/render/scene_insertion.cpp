@@ -5,7 +5,7 @@
 
 #include "core/geometry/circumcircle.h"
 #include "core/mesh/edit.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/geometry/circumcircle.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "render/pick.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"

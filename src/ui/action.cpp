@@ -59,7 +59,7 @@ std::string_view withoutDots(std::string_view label) {
 
 std::optional<Action> actionFor(int key, int mods, Scope scope) {
   constexpr int kMatter = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;
-  const Chord pressed{key, mods & kMatter};
+  const KeyChord pressed{key, mods & kMatter};
   for (const ActionInfo& info : actions())
     if (info.scope == scope && std::find(info.chords.begin(), info.chords.end(), pressed) != info.chords.end())
       return info.id;
@@ -92,10 +92,10 @@ std::string_view nameOf(Menu menu) {
   return "";
 }
 
-std::string textOf(Chord chord) {
-  if (chord == Chord{GLFW_KEY_SLASH, kShift}) return "?";
-  if (chord == Chord{GLFW_KEY_EQUAL, kShift}) return "+";
-  if (chord == Chord{GLFW_KEY_EQUAL, kCtrl | kShift}) return "Ctrl++";
+std::string textOf(KeyChord chord) {
+  if (chord == KeyChord{GLFW_KEY_SLASH, kShift}) return "?";
+  if (chord == KeyChord{GLFW_KEY_EQUAL, kShift}) return "+";
+  if (chord == KeyChord{GLFW_KEY_EQUAL, kCtrl | kShift}) return "Ctrl++";
   std::string text;
   if ((chord.mods & GLFW_MOD_CONTROL) != 0) text += "Ctrl+";
   if ((chord.mods & GLFW_MOD_SHIFT) != 0) text += "Shift+";
@@ -105,7 +105,7 @@ std::string textOf(Chord chord) {
 
 std::string keysOf(const ActionInfo& info) {
   std::string text;
-  for (const Chord& chord : info.chords) {
+  for (const KeyChord& chord : info.chords) {
     if (chord.key == 0) continue;
     if (!text.empty()) text += " or ";
     text += textOf(chord);

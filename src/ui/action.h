@@ -99,10 +99,10 @@ inline constexpr int kActionCount = static_cast<int>(Action::about) + 1;
 enum class Menu : std::uint8_t { file, edit, run, debug, compare, view, help };
 
 /// A key with its modifiers, as GLFW numbers them; key 0: none.
-struct Chord {
+struct KeyChord {
   int key = 0;
   int mods = 0;
-  friend bool operator==(const Chord&, const Chord&) = default;
+  friend bool operator==(const KeyChord&, const KeyChord&) = default;
 };
 
 /// Where the keys of an action mean it.
@@ -114,7 +114,7 @@ struct ActionInfo {
   std::string_view key;    // for files and tests: "step_back"
   std::string_view label;  // on menus: "Step back"
   std::string_view help;   // one sentence
-  std::array<Chord, 3> chords;
+  std::array<KeyChord, 3> chords;
   Scope scope = Scope::window;
 };
 
@@ -134,7 +134,7 @@ bool isFunctionKey(int key);
 
 std::string_view nameOf(Menu menu);
 /// "Ctrl+Shift+F11".
-std::string textOf(Chord chord);
+std::string textOf(KeyChord chord);
 /// "Shift+Right or F10"; empty when the action has no key.
 std::string keysOf(const ActionInfo& info);
 /// docs/keys.md.

@@ -63,7 +63,11 @@ void App::moveRequest(Point to) {
   const Domain& domain = *session_.domain();
   std::vector<DensityRequest> density = domain.density;
   DensityRequest& request = density[*ui_.density.request];
-  const Point by = within(domain.bounds, to) - handleOf(request);
+  if (request.where == DensityRequest::Where::loop) {
+    ui_.message = fmt::format("It holds all along the loop '{}', so it cannot be moved.", request.loop);
+    return;
+  }
+  const Point by = within(domain.bounds, to) - handleOf(domain, request);
   request.at = request.at + by;
   request.to = request.to + by;
   if (request != domain.density[*ui_.density.request]) editDensity(std::move(density), true);

@@ -9,24 +9,25 @@
 #include "core/io/write_mesh.h"
 #include "render/figure.h"
 #include "ui/app.h"
+#include "ui/export_format.h"
 
 namespace triscope {
 namespace {
 
-bool isDomain(const std::string& path) { return std::filesystem::path(path).extension() == ".json"; }
-
-Status writeText(const std::string& path, const std::string& text) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  if (const Status written = file->write(text); !written) return written;
-  return file->commit();
-}
-
-bool isTable(const std::string& path) { return std::filesystem::path(path).extension() == ".csv"; }
-
-bool isPicture(const std::string& path) {
-  const std::string extension = std::filesystem::path(path).extension().string();
-  return extension == ".svg" || extension == ".png";
+/// `rows` are those of the sweep that is shown.
+Status writeAs(const ExportFormat& format, const std::string& path, const MeshState& state,
+               const std::vector<SweepRow>& rows, const ViewOptions& options, const FigureOptions& figure) {
+  switch (format.content) {
+    case ExportFormat::Content::mesh:
+      break;
+    case ExportFormat::Content::domain:
+      return writeWhole(path, state.domain->text);
+    case ExportFormat::Content::picture:
+      return writeFigure(path, state, options, figure);
+    case ExportFormat::Content::sweep:
+      return writeWhole(path, csvOf(rows));
+  }
+  return writeMesh(path, exportMesh(state));
 }
 
 }  // namespace
@@ -50,7 +51,8 @@ std::string App::freePath(const char* extension) const {
 void App::exportTo(const std::string& path) {
   if (export_.running()) return;
   const SnapshotPtr now = session_.current();
-  if (now == nullptr) return;
+  const ExportFormat* const format = exportFormatOf(path);  // there is one: the dialog takes no other name
+  if (now == nullptr || format == nullptr) return;
   ui_.exporting = true;
   exportPath_ = path;
   ui_.message = "Writing " + path + " …";
@@ -65,12 +67,9 @@ void App::exportTo(const std::string& path) {
   figure.caption = figureCaption(now->state, now->state.stage);
   figure.region = visibleBox(ui_.camera);
   export_.start(
-      [now, path, options, figure,
-       rows = ui_.sweep.table ? rowsOf(*ui_.sweep.table) : std::vector<SweepRow>()]() -> Status {
-        if (isTable(path)) return writeText(path, csvOf(rows));
-        if (isDomain(path)) return writeText(path, now->state.domain->text);
-        if (isPicture(path)) return writeFigure(path, now->state, options, figure);
-        return writeMesh(path, exportMesh(now->state));
+      [now, path, format, options, figure,
+       rows = ui_.sweep.table ? rowsOf(*ui_.sweep.table) : std::vector<SweepRow>()] {
+        return writeAs(*format, path, now->state, rows, options, figure);
       },
       wake_);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/app.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/density/quadtree.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "render/picture.h"
 #include "ui/density_handles.h"
 #include "ui/imgui_canvas.h"
@@ -155,20 +155,28 @@ void labels(const View& view, ImVec2 corner, std::span<const Rect> avoid, bool t
   }
 }
 
-/// How far a long run is, over the dimmed old mesh, with a way out.
+std::string whereabouts(const Progress& p) {
+  if (p.activity == Activity::searching)
+    return fmt::format("Searching {}, decision {}", infoOf(p.stage).name, grouped(p.tick));
+  std::string text = fmt::format("{}: {}", infoOf(p.stage).name, counted(p.triangles, "triangle", "triangles"));
+  if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(std::llround(p.estimated)));
+  return text;
+}
+
+/// How far a long run or search is, over the dimmed old mesh where there is one, with a way out.
 void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
   const Progress& p = view.session.progress();
   if (!view.session.busy() || p.activity == Activity::playing || p.seconds < 0.25) return;
   const float width = std::min(view.px(420), size.x - view.px(24));
   if (beginFloating(view, "##progress", {corner.x + 0.5f * size.x, corner.y + view.px(16)}, {0.5f, 0.0f}, width)) {
-    std::string text = fmt::format("{}: {}", infoOf(p.stage).name, counted(p.triangles, "triangle", "triangles"));
-    if (p.estimated > 0.0) text += " of about " + grouped(static_cast<std::uint64_t>(std::llround(p.estimated)));
-    ImGui::TextUnformatted(text.c_str());
+    wrapped(whereabouts(p));
     ImGui::ProgressBar(static_cast<float>(p.fraction), {-view.px(90), 0.0f});
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {-1.0f, 0.0f})) orders.emplace_back(Action::cancel);
     note(view, "cancel");
-    tip(view, view.session.stale() ? "Keep the mesh and the parameters from before." : "Stop here.");
+    tip(view, view.session.stale()                ? "Keep the mesh and the parameters from before."
+              : p.activity == Activity::searching ? "Stop searching, and stay at this decision."
+                                                  : "Stop here.");
   }
   endFloating();
 }

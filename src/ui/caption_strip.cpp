@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/caption.h"
+#include "core/number.h"
 #include "core/pipeline.h"
-#include "render/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

@@ -6,7 +6,8 @@
 #include <optional>
 
 #include "core/density/quadtree.h"
-#include "render/number.h"
+#include "core/domain/outline.h"
+#include "core/number.h"
 #include "ui/style.h"
 
 namespace triscope {
@@ -38,13 +39,26 @@ std::optional<std::size_t> handleUnderMouse(const View& view, ImVec2 corner) {
   double nearest = kReach * view.ui.scale() / view.ui.camera.scale;
   const std::vector<DensityRequest>& density = view.session.domain()->density;
   for (std::size_t k = 0; k < density.size(); ++k) {
-    if (density[k].where == DensityRequest::Where::loop) continue;
-    const double away = distance(handleOf(density[k]), mouse);
+    const double away = distance(handleOf(*view.session.domain(), density[k]), mouse);
     if (away > nearest) continue;
     nearest = away;
     best = k;
   }
   return best;
+}
+
+/// Every constraint on a loop names one of the domain.
+std::uint32_t loopNamed(const Domain& domain, const std::string& name) {
+  const auto found =
+      std::find_if(domain.loops.begin(), domain.loops.end(), [&name](const Loop& loop) { return loop.name == name; });
+  return static_cast<std::uint32_t>(found - domain.loops.begin());
+}
+
+void traceLoop(const View& view, ImVec2 corner, const std::string& name, ImU32 ink) {
+  const Domain& domain = *view.session.domain();
+  for (const Chord& chord : outlineOf(domain, loopNamed(domain, name)))
+    ImGui::GetWindowDrawList()->AddLine(onScreen(view, corner, chord.a), onScreen(view, corner, chord.b), ink,
+                                        view.px(3));
 }
 
 std::string wishOf(const DensityRequest& request) {
@@ -62,14 +76,14 @@ HandleLabel labelOf(const View& view, ImVec2 corner, const DensityRequest& reque
   HandleLabel label;
   label.text = request.name.empty() ? wishOf(request) : request.name + ", " + wishOf(request);
   label.size = font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, label.text.c_str());
-  const ImVec2 at = onScreen(view, corner, handleOf(request));
+  const ImVec2 at = onScreen(view, corner, handleOf(*view.session.domain(), request));
   label.lo = {at.x + view.px(kHandle) + view.px(5), at.y - 0.5f * label.size.y};
   return label;
 }
 
 void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool selected) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 at = onScreen(view, corner, handleOf(request));
+  const ImVec2 at = onScreen(view, corner, handleOf(*view.session.domain(), request));
   const ImU32 ink = toImU32(accentOf(view.theme()));
   const ImU32 halo = toImU32(view.theme().background);
   const float radius = view.px(kHandle);
@@ -78,6 +92,7 @@ void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool
     const ImVec2 b = onScreen(view, corner, request.to);
     list.AddRect({a.x, b.y}, {b.x, a.y}, ink, 0.0f, ImDrawFlags_None, view.px(selected ? 2.0 : 1.2));
   }
+  if (request.where == DensityRequest::Where::loop && selected) traceLoop(view, corner, request.loop, ink);
   list.AddCircleFilled(at, radius + view.px(2.5), halo);
   list.AddCircle(at, radius, ink, 0, view.px(2));
   list.AddCircleFilled(at, selected ? radius : view.px(2), ink);
@@ -90,8 +105,16 @@ void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool
 
 }  // namespace
 
-Point handleOf(const DensityRequest& request) {
-  return request.where == DensityRequest::Where::box ? midpoint(request.at, request.to) : request.at;
+Point handleOf(const Domain& domain, const DensityRequest& request) {
+  switch (request.where) {
+    case DensityRequest::Where::point:
+      break;
+    case DensityRequest::Where::box:
+      return midpoint(request.at, request.to);
+    case DensityRequest::Where::loop:
+      return pointAt(domain.curves[domain.loops[loopNamed(domain, request.loop)].firstCurve], 0.5);
+  }
+  return request.at;
 }
 
 bool densityMouse(const View& view, Orders& orders, ImVec2 corner) {
@@ -124,9 +147,9 @@ std::vector<Rect> densityHandleRects(const View& view) {
   std::vector<Rect> rects;
   if (!shown(view)) return rects;
   for (const DensityRequest& request : view.session.domain()->density) {
-    if (request.where == DensityRequest::Where::loop) continue;
     const HandleLabel label = labelOf(view, {0.0f, 0.0f}, request);
-    const double left = toPixel(view.ui.camera, handleOf(request)).x - kHandle * view.ui.scale();
+    const double left =
+        toPixel(view.ui.camera, handleOf(*view.session.domain(), request)).x - kHandle * view.ui.scale();
     rects.push_back({left, static_cast<double>(label.lo.y), static_cast<double>(label.lo.x + label.size.x) - left,
                      static_cast<double>(label.size.y)});
   }
@@ -136,8 +159,7 @@ std::vector<Rect> densityHandleRects(const View& view) {
 void drawDensityHandles(const View& view, ImVec2 corner) {
   if (!shown(view)) return;
   const std::vector<DensityRequest>& density = view.session.domain()->density;
-  for (std::size_t k = 0; k < density.size(); ++k)
-    if (density[k].where != DensityRequest::Where::loop) handle(view, corner, density[k], view.ui.density.request == k);
+  for (std::size_t k = 0; k < density.size(); ++k) handle(view, corner, density[k], view.ui.density.request == k);
 }
 
 }  // namespace triscope

@@ -8,8 +8,9 @@
 
 namespace triscope {
 
-/// Where the handle of a constraint is that has one: its point, or the middle of its box.
-Point handleOf(const DensityRequest& request);
+/// Where the handle of a constraint of a domain is: its point, the middle of its box, or on its loop. One on a loop can
+/// be selected but not moved: it holds all along the loop, and has no place of its own.
+Point handleOf(const Domain& domain, const DensityRequest& request);
 
 /// Takes the mouse where it places or moves a constraint; to be called after the canvas' own item. True when it did:
 /// then nothing else is to take it.

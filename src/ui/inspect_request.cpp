@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/density/quadtree.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/density_handles.h"
 #include "ui/widgets.h"
 
@@ -80,10 +80,14 @@ void inspectRequest(const View& view, Orders& orders) {
   // The buttons before it are done with one click; the drag goes on until it is let go.
   if (ImGui::IsItemDeactivated() || (changed && !ImGui::IsItemActive())) orders.emplace_back(order::EndTuning{});
   tip(view, "Drag, or Ctrl+click to type a value.");
-  if (!view.session.stale())
-    figure(view, "h wanted there now", compact(edgeLengthAt(view.now()->state.tree, handleOf(request)), 4));
-  const Point at = handleOf(request);
-  figure(view, "position", fmt::format("{}, {}", compact(at.x, 5), compact(at.y, 5)));
+  const Point at = handleOf(*view.session.domain(), request);
+  if (!view.session.stale()) figure(view, "h wanted there now", compact(edgeLengthAt(view.now()->state.tree, at), 4));
+  if (request.where == DensityRequest::Where::loop) {
+    figure(view, "on the loop", request.loop);
+    muted(view, "It holds all along the loop, so it cannot be moved.");
+  } else {
+    figure(view, "position", fmt::format("{}, {}", compact(at.x, 5), compact(at.y, 5)));
+  }
   actionButton(view, orders, Action::delete_density, Icon::none);
   muted(view, "It is part of the session. Ctrl+E, .json writes the domain file with it.");
 }

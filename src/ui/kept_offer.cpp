@@ -14,9 +14,7 @@ void drawKeptOffer(const View& view, Orders& orders, ImVec2 corner, ImVec2 size)
   const float width = std::min(view.px(440), size.x - view.px(24));
   if (beginFloating(view, "##kept", {corner.x + 0.5f * size.x, corner.y + size.y - view.px(16)}, {0.5f, 1.0f}, width)) {
     const KeptWork& work = document.kept.front();
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(fmt::format("Work on {} from {} was not saved.", work.name, work.when).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped(fmt::format("Work on {} from {} was not saved.", work.name, work.when));
     note(view, "kept");
     const auto button = [&](const char* label, const char* name, order::Kept::What what, const char* help) {
       if (ImGui::Button(label)) orders.emplace_back(order::Kept{what});

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "render/number.h"
+#include "core/number.h"
 
 namespace triscope {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/number.h"
 #include "core/quality/quality.h"
-#include "render/number.h"
 #include "ui/plot_frame.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

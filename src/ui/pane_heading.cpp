@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/debug/compare.h"
+#include "core/number.h"
 #include "core/pipeline.h"
-#include "render/number.h"
 #include "ui/panels.h"
 #include "ui/pinned_run.h"
 #include "ui/style.h"
@@ -18,13 +18,8 @@ constexpr double kMargin = 8.0;  // pixels at 100 %
 
 /// "ω = 0.05, θ = 5°": the values of this run that the other has differently.
 std::string apart(const View& view, bool pinned) {
-  std::string text;
-  for (const SettingDifference& d : differences(view.pinned->session().settings(), view.session.settings())) {
-    if (!text.empty()) text += ", ";
-    text += fmt::format("{} = {}", d.setting->symbol.empty() ? d.setting->label : d.setting->symbol,
-                        settingText(*d.setting, pinned ? d.a : d.b));
-  }
-  return text;
+  return differencesText(differences(view.pinned->session().settings(), view.session.settings()),
+                         pinned ? &SettingDifference::a : &SettingDifference::b);
 }
 
 std::string standing(const Session& session) {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -57,7 +57,7 @@ void complain(const View& view, const Error& error) {
   const std::size_t quote = marks == std::string_view::npos || marks == 0 ? marks : message.rfind('\n', marks - 1);
   ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
   if (quote == std::string_view::npos) {
-    ImGui::TextWrapped("%s", error.message.c_str());
+    wrapped(error.message);
   } else {
     const std::string quoted(message.substr(quote + 1, marks - quote - 1));
     const std::string expected = "^ " + std::string(message.substr(caret + 2));
@@ -65,7 +65,7 @@ void complain(const View& view, const Error& error) {
     ImGui::TextUnformatted(quoted.c_str());
     const float x = ImGui::CalcTextSize(quoted.substr(0, caret - marks - 1).c_str()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + x);
-    ImGui::TextWrapped("%s", expected.c_str());
+    wrapped(expected);
     ImGui::PopStyleVar();
     note(view, "break.caret");
   }
@@ -130,9 +130,7 @@ void list(const View& view, Orders& orders) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const std::string times = met > 0 ? "   met " + counted(static_cast<std::uint64_t>(met), "time", "times") : "";
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted((all[k].condition.text() + times).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped(all[k].condition.text() + times);
     ImGui::PopID();
     if (change) orders.emplace_back(command::SetBreakpoints{std::move(changed)});
   }

@@ -6,7 +6,7 @@
 #include <initializer_list>
 
 #include "core/caption.h"
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/pinned_run.h"
 #include "ui/style.h"
@@ -80,7 +80,7 @@ void settings(const View& view) {
   }
   if (!beginTable(view, "settings", {"parameters", "A", "B"})) return;
   for (const SettingDifference& d : list) {
-    nameCell(d.setting->symbol.empty() ? std::string(d.setting->label) : std::string(d.setting->symbol));
+    nameCell(std::string(settingName(*d.setting)));
     for (const double value : {d.a, d.b}) valueCell(view, settingText(*d.setting, value));
   }
   ImGui::EndTable();
@@ -90,33 +90,28 @@ void settings(const View& view) {
 void parting(const View& view, Orders& orders) {
   heading(view, "First event that differs");
   const std::optional<std::size_t>& first = view.pinned->firstDifference();
-  if (view.pinned->session().busy()) {
+  const bool making = view.pinned->session().busy();
+  const bool differ = !making && first;
+  if (making) {
     muted(view, "Run A is being made.");
-  } else if (!first) {
+  } else if (!differ) {
     muted(view, "None: both runs tell the same.");
   } else {
-    const auto tell = [first](const char* run, const EventLog& events) {
-      const std::string what = *first < events.size() ? captionOf(events[*first]) : "The run is over.";
-      ImGui::TextWrapped("%s: %s", run, what.c_str());
-    };
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("event %s", grouped(*first).c_str());
     besideIfFits(std::string(infoOf(Action::first_difference).label).c_str());
-    actionButton(view, orders, Action::first_difference, Icon::none);
-    tell("A", view.pinned->session().runEvents());
-    tell("B", view.session.runEvents());
-    return;
   }
   actionButton(view, orders, Action::first_difference, Icon::none);
+  if (!differ) return;
+  const auto tell = [first](const char* run, const EventLog& events) {
+    const std::string what = *first < events.size() ? captionOf(events[*first]) : "The run is over.";
+    wrapped(fmt::format("{}: {}", run, what));
+  };
+  tell("A", view.pinned->session().runEvents());
+  tell("B", view.session.runEvents());
 }
 
 }  // namespace
-
-std::string settingText(const SettingInfo& info, double value) {
-  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
-  if (info.unit == "length" && value == 0.0) return "auto";
-  return compact(value, 4) + (info.unit == "deg" ? "\xC2\xB0" : "");
-}
 
 void drawCompare(const View& view, Orders& orders) {
   if (view.pinned == nullptr) {

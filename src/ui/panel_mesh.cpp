@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/number.h"
 #include "core/quality/bound_figure.h"
-#include "render/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

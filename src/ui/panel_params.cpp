@@ -2,17 +2,14 @@
 
 #include <algorithm>
 
-#include "render/number.h"
+#include "core/debug/compare.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
 namespace triscope {
 namespace {
-
-bool outsidePaper(const SettingInfo& info, double value) {
-  return info.paperLow != info.paperHigh && (value < info.paperLow || value > info.paperHigh);
-}
 
 bool isLength(const SettingInfo& info) { return info.unit == "length"; }
 
@@ -113,10 +110,7 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   }
   if (outsidePaper(info, before)) {
     ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(
-        fmt::format("outside the paper's range, {} to {}", compact(info.paperLow), compact(info.paperHigh)).c_str());
-    ImGui::PopTextWrapPos();
+    wrapped(fmt::format("outside the paper's range, {} to {}", compact(info.paperLow), compact(info.paperHigh)));
     ImGui::PopStyleColor();
   }
   if (changed && value != before && setSetting(settings, info, value)) {
@@ -134,11 +128,8 @@ std::string commandLine(const View& view) {
   const Domain& domain = *view.now()->state.domain;
   std::string text =
       fmt::format("triscope mesh '{}' -o mesh.msh", domain.file.empty() ? domain.name + ".json" : domain.file);
-  const Settings standard;
-  for (const SettingInfo& info : settingTable()) {
-    const double value = settingValue(view.session.settings(), info);
-    if (value != settingValue(standard, info)) text += fmt::format(" --set {}={}", info.key, value);
-  }
+  for (const SettingDifference& d : differences(Settings{}, view.session.settings()))
+    text += fmt::format(" --set {}={}", d.setting->key, d.b);
   return text;
 }
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/number.h"
 #include "core/quality/quality.h"
-#include "render/number.h"
 #include "ui/measured_at.h"
 #include "ui/mesh_histogram.h"
 #include "ui/panels.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/debug/compare.h"
+#include "core/number.h"
 #include "render/heat_map.h"
 #include "render/legend_panel.h"
-#include "render/number.h"
 #include "ui/imgui_canvas.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -35,12 +35,10 @@ std::string pairText(double omega, double theta) {
 /// Why what is shown is not what a sweep would give now; empty when it is.
 std::string whyOutOfDate(const SweepTable& table, const Session& session) {
   if (holdsFor(table, session.domain(), session.settings())) return {};
-  std::string changed;
-  for (const SettingDifference& d : differences(table.settings, session.settings())) {
-    if (d.setting->key == "omega" || d.setting->key == "theta") continue;
-    const std::string_view name = d.setting->symbol.empty() ? d.setting->label : d.setting->symbol;
-    changed += fmt::format("{}{} was {}", changed.empty() ? "" : ", ", name, settingText(*d.setting, d.a));
-  }
+  Settings made = table.settings;  // ω and θ apart
+  made.omega = session.settings().omega;
+  made.theta = session.settings().theta;
+  const std::string changed = differencesText(differences(made, session.settings()), &SettingDifference::a, "was");
   return "Out of date: " +
          (changed.empty() ? "made on another domain, or with other density constraints." : changed + ".");
 }
@@ -142,7 +140,7 @@ bool allBreakBounds(const SweepTable& table) {
 void remarks(const View& view, const std::string& outOfDate) {
   if (!outOfDate.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, toImU32(view.theme().worstAspect));
-    ImGui::TextWrapped("%s", outOfDate.c_str());
+    wrapped(outOfDate);
     ImGui::PopStyleColor();
     note(view, "sweep.stale");
     return;

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/number.h"
 #include "core/quality/quality.h"
-#include "render/number.h"
 #include "ui/measured_at.h"
 #include "ui/panels.h"
 #include "ui/style.h"

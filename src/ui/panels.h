@@ -29,8 +29,6 @@ void drawBreakpoints(const View& view, Orders& orders);
 void drawPlots(const View& view, Orders& orders);
 void drawCompare(const View& view, Orders& orders);
 void drawSweep(const View& view, Orders& orders);
-/// "0.05", "7.5°", "off", "auto".
-std::string settingText(const SettingInfo& info, double value);
 void drawMeshFigures(const View& view, Orders& orders);
 
 // Fixed regions of the window; each fills the current Dear ImGui window.

@@ -55,12 +55,10 @@ void writePreferences(const std::string& path, const Appearance& look) {
   const char* theme = "light";
   for (const auto& [kind, word] : kThemes)
     if (kind == look.theme) theme = word;
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return;
-  const Status written = file->write(fmt::format(
-      "theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nbottom height = {:g}\nlegend = {}\n", theme,
-      look.scale, look.leftWidth, look.rightWidth, look.bottomHeight, look.legend ? "on" : "off"));
-  if (written) (void)file->commit();
+  (void)writeWhole(
+      path, fmt::format(
+                "theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nbottom height = {:g}\nlegend = {}\n",
+                theme, look.scale, look.leftWidth, look.rightWidth, look.bottomHeight, look.legend ? "on" : "off"));
 }
 
 }  // namespace triscope

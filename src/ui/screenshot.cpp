@@ -28,10 +28,7 @@ Status saveScreenshot(GLFWwindow* window, const std::string& path) {
     }
   const Result<std::string> bytes = encodePng(image);
   if (!bytes) return bytes.error();
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file) return file.error();
-  if (Status written = file->write(*bytes); !written) return written;
-  return file->commit();
+  return writeWhole(path, *bytes);
 }
 
 }  // namespace triscope

@@ -30,7 +30,7 @@ class Object {
   std::string text_;
 };
 
-constexpr std::array<std::string_view, 4> kActivities{"idle", "stepping", "playing", "meshing"};
+constexpr std::array<std::string_view, 5> kActivities{"idle", "stepping", "playing", "meshing", "searching"};
 constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
 constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
 constexpr std::array<std::string_view, 7> kDialogs{"none", "open", "save", "export", "error", "help", "about"};
@@ -108,7 +108,7 @@ std::string keys() {
   Object out;
   for (const ActionInfo& info : actions()) {
     std::string list;
-    for (const Chord& chord : info.chords)
+    for (const KeyChord& chord : info.chords)
       if (chord.key != 0) list += (list.empty() ? "" : ", ") + jsonText(textOf(chord));
     out.add(info.key, "[" + list + "]");
   }
@@ -343,10 +343,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
 void StateFile::update(const std::string& text, std::uint64_t frame) {
   if (!wanted() || text == last_) return;
   last_ = text;
-  Result<AtomicFile> file = AtomicFile::create(path_);
-  if (!file) return;
-  const std::string whole = fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame);
-  if (file->write(whole)) (void)file->commit();
+  (void)writeWhole(path_, fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame));
 }
 
 }  // namespace triscope

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

@@ -7,8 +7,6 @@
 namespace triscope {
 namespace {
 
-constexpr std::uint64_t kSlice = 64;  // decisions between two looks at whether it is cancelled
-
 /// One core is left to the window where there are more than two.
 unsigned threadsBesideWindow() {
   const unsigned cores = std::thread::hardware_concurrency();
@@ -42,11 +40,9 @@ Status SweepJob::carryOut(const Task& task, const std::function<void()>& wake) {
     if (!begun) return begun.error();
     state = std::move(*begun);
   }
-  Journal nobody;
-  while (!cancel_ && advanceUntil(state, Stage::step5, kSlice, nobody)) {
-  }
+  const bool prepared = advanceUntil(state, Stage::step5, cancel_);
   preparing_ = false;
-  if (cancel_) return cancelled();
+  if (!prepared) return cancelled();
   if (state.failed)
     return Error{.code = ExitCode::unmet,
                  .message = "the method cannot go on before step 6, so there is nothing to sweep",

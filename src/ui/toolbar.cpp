@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

@@ -29,6 +29,14 @@ class Places(Debug):
         self.assertIn("stage finished", text)
         self.assertIn("Finished after", text)
 
+    def test_counts_are_plain_digits(self):
+        """The window sets thousands apart by a thin space, which no script reads as a number."""
+        text = self.expect(OK, run("debug", CRACKED, "--print", "state", "--print", "events:0-20000")).stdout
+        self.assertRegex(text, r"(?m)^  Finished after 1\d{4} decisions")
+        self.assertRegex(text, r"(?m)^  1\d{4} decisions made, 1\d{4} events recorded\.$")
+        self.assertNotIn("\u2009", text)
+        self.assertTrue(self.lines(CRACKED, "--print", "state")[1].startswith(text.split("Finished after ")[1][:15]))
+
     def test_every_place_can_be_gone_to(self):
         end = self.ask(ANNULUS)
         for place, check in (("start", lambda s: s["tick"] == 0), ("end", lambda s: s == end | {"answers": s["answers"]}),

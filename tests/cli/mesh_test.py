@@ -124,6 +124,13 @@ class Until(program.ProgramTest):
         self.assertEqual(seen, sorted(seen[:5]) + seen[5:], "a stage up to the triangulation lost triangles")
         self.assertGreater(seen[8], seen[5])
 
+    def test_each_front_can_be_the_last(self):
+        seen = []
+        for stage in ("carve", "front1", "front2", "fronts"):
+            self.expect(OK, run("mesh", STEP, "--until", stage, "--report", self.path("r.json")))
+            seen.append(json.loads((self.folder / "r.json").read_text())["triangles"])
+        self.assertTrue(seen[0] < seen[1] < seen[2] == seen[3], seen)
+
     def test_a_mesh_file_needs_a_mesh(self):
         error = self.expect(USAGE, run("mesh", STEP, "--until", "density", "-o", self.path("a.msh"))).stderr
         self.assertIn("triangulation", error)

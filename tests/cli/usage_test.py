@@ -68,6 +68,15 @@ class Refused(program.ProgramTest):
                       "rounds", "refine"):
             self.assertIn(stage, error)
 
+    def test_stage_that_comes_again(self):
+        """In each round: which of them would be the last? 'triscope debug' goes to the first."""
+        for stage in ("step2", "step3", "step4", "step5", "repair"):
+            for command, option in (("mesh", "--until"), ("figure", "--stage")):
+                error = self.refused(command, STEP, "-o", self.path("a.svg"), option, stage)
+                self.assertIn(f"'{stage}' comes again in every round", error)
+                self.assertIn("name rounds", error)
+            self.expect(OK, run("debug", STEP, "-q", "--goto", f"stage={stage}"))
+
     def test_extension_that_is_not_known(self):
         for command in ("mesh", "figure"):
             error = self.refused(command, STEP, "-o", self.path("a.xyz"))

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "core/density/boundary_tree.h"
+#include "core/domain/loop_of.h"
+#include "core/domain/shortest_line.h"
 #include "core/io/against_domain.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/validate.h"
@@ -41,16 +42,6 @@ bool ofLines(const Domain& domain) {
 
 bool touch(const Curve& l, const Curve& r) { return l.a == r.b || l.b == r.a || l.a == r.a || l.b == r.b; }
 
-std::vector<std::uint8_t> chains(const Domain& domain) {
-  std::vector<std::uint8_t> chain(domain.curves.size(), 0);
-  for (const Loop& loop : domain.loops) {
-    for (std::uint32_t c = 0; c < loop.curveCount; ++c) {
-      chain[loop.firstCurve + c] = loop.role == LoopRole::chain ? 1 : 0;
-    }
-  }
-  return chain;
-}
-
 void expectKeptPoints(const MeshState& state) {
   std::map<std::pair<double, double>, VertexKind> kinds;
   for (std::size_t v = 0; v < state.mesh.points.size(); ++v) {
@@ -69,7 +60,6 @@ void expectKeptPoints(const MeshState& state) {
 void expectCurvesFollowed(const MeshState& state) {
   const Mesh& mesh = state.mesh;
   const Domain& domain = *state.domain;
-  const std::vector<std::uint8_t> chain = chains(domain);
   std::vector<BoundaryEdge> edges = mesh.edges;
   std::ranges::sort(edges, [](const BoundaryEdge& l, const BoundaryEdge& r) {
     return l.curve != r.curve ? l.curve < r.curve : l.t0 < r.t0;
@@ -90,7 +80,7 @@ void expectCurvesFollowed(const MeshState& state) {
       const std::int32_t half = findHalfEdge(mesh, edge.v0, edge.v1);
       ASSERT_GE(half, 0) << "curve " << c << " has no edge from " << edge.t0 << " to " << edge.t1;
       EXPECT_TRUE(constrained(mesh, half));
-      EXPECT_EQ(oppositeOf(mesh, half) >= 0, chain[c] != 0);
+      EXPECT_EQ(oppositeOf(mesh, half) >= 0, loopOf(domain, c).role == LoopRole::chain);
       EXPECT_LE(distance(pointOf(mesh, edge.v0), pointAt(domain.curves[c], edge.t0)), tolerance);
       t = edge.t1;
       vertex = edge.v1;
@@ -151,18 +141,15 @@ long double areaOf(const MeshState& state) {
 
 long double areaOf(const Domain& domain) {
   Sum sum;
-  const std::vector<std::uint8_t> chain = chains(domain);
-  for (std::size_t c = 0; c < domain.curves.size(); ++c) {
-    if (chain[c] == 0) sum.add(0.5L * cross(domain.bounds.lo, domain.curves[c].a, domain.curves[c].b));
+  for (std::uint32_t c = 0; c < domain.curves.size(); ++c) {
+    if (loopOf(domain, c).role != LoopRole::chain)
+      sum.add(0.5L * cross(domain.bounds.lo, domain.curves[c].a, domain.curves[c].b));
   }
   return sum.value + sum.lost;
 }
 
 double shortestUnavoidableEdge(const Domain& domain) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Curve& curve : domain.curves) {
-    if (curve.kind == CurveKind::line) shortest = std::min(shortest, distance(curve.a, curve.b));
-  }
+  double shortest = shortestLine(domain).length;
   for (const Loop& loop : domain.loops) {
     if (loop.role == LoopRole::chain || loop.curveCount > 1) continue;
     // The chord of a sixth of a circle is 3/π of its arc.

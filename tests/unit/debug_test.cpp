@@ -68,9 +68,8 @@ TEST(Condition, EveryWordIsDocumented) {
 TEST(Breakpoint, StopsWhereTheAspectRatioFirstFallsBelowALimit) {
   const auto breakpoints = stopAt("aspect < 5 and triangles > 100");
   MeshState state = start("blunt_body");
-  const std::atomic<bool> cancel{false};
   std::vector<Hit> passed;
-  const auto hit = continueForward(state, breakpoints, passed, cancel);
+  const auto hit = continueForward(state, breakpoints, passed);
   ASSERT_TRUE(hit.has_value());
   EXPECT_EQ(hit->tick, state.tick);
 
@@ -97,28 +96,26 @@ TEST(Breakpoint, BackwardsFindsTheLastRefusalBeforeHere) {
     if (events.back().refusal != Refusal::none) refusedAt.push_back(state.tick);
   }
   ASSERT_GT(refusedAt.size(), 20u);
-  const std::atomic<bool> cancel{false};
   std::uint64_t here = state.tick + 1;
   for (std::size_t k = refusedAt.size(); k-- > refusedAt.size() - 20;) {
-    const auto hit = continueBackward(history, here, breakpoints, cancel);
+    const auto hit = continueBackward(history, here, breakpoints);
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(hit->tick, refusedAt[k]);
     here = hit->tick;
   }
-  const auto none = continueBackward(history, refusedAt.front(), breakpoints, cancel);
+  const auto none = continueBackward(history, refusedAt.front(), breakpoints);
   EXPECT_FALSE(none.has_value());
   // From the end all the way back over every keyframe.
   EXPECT_GT(history.count(), 2u);
-  EXPECT_FALSE(continueBackward(history, state.tick + 1, stopAt("tick == 0 and refused"), cancel).has_value());
+  EXPECT_FALSE(continueBackward(history, state.tick + 1, stopAt("tick == 0 and refused")).has_value());
 }
 
 TEST(Breakpoint, NoRuleIsBrokenInTheRunsOfTheSamples) {
   for (const std::string sample : {"annulus", "l_shape", "blunt_body", "cracked_plate"}) {
     MeshState state = start(sample);
-    const std::atomic<bool> cancel{false};
     std::vector<Hit> passed;
     const auto breakpoints = violationBreakpoints();
-    const auto hit = continueForward(state, breakpoints, passed, cancel);
+    const auto hit = continueForward(state, breakpoints, passed);
     EXPECT_FALSE(hit.has_value()) << sample << " at " << hit->tick << ": "
                                   << breakpoints[hit->breakpoint].condition.text();
   }
@@ -131,9 +128,8 @@ TEST(Breakpoint, ABrokenRuleIsFound) {
   advanceUntil(state, Stage::step5, ~std::uint64_t{0}, journal);
   const auto spoilt = static_cast<std::size_t>(state.front1.at(3));
   state.mesh.points[spoilt] = state.mesh.points[spoilt] + Point{0.5, 0.5};
-  const std::atomic<bool> cancel{false};
   std::vector<Hit> passed;
-  EXPECT_TRUE(continueForward(state, violationBreakpoints(), passed, cancel).has_value());
+  EXPECT_TRUE(continueForward(state, violationBreakpoints(), passed).has_value());
 }
 
 }  // namespace

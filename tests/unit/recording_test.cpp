@@ -100,8 +100,7 @@ TEST(Recording, HitsForwardsAreTheHitsBackwardsReversed) {
   }
   ASSERT_GT(forwards.size(), 3u);
   EXPECT_TRUE(recording.over());
-  const std::atomic<bool> cancel{false};
-  while (const auto hit = recording.toPreviousHit(breakpoints, cancel)) {
+  while (const auto hit = recording.toPreviousHit(breakpoints)) {
     ASSERT_FALSE(forwards.empty());
     EXPECT_EQ(recording.eventOf(*hit), forwards.back());
     EXPECT_EQ(hashOf(recording.state()), whole().hashAt[hit->tick]);

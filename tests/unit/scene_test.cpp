@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "render/number.h"
+#include "core/number.h"
 #include "render/star.h"
 #include "sample_states.h"
 

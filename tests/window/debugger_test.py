@@ -1,5 +1,7 @@
 """The debugger: timeline, why, history, breakpoints and plots, with real keys and mouse."""
 
+import json
+import os
 import unittest
 
 import harness
@@ -145,6 +147,26 @@ class Debugger(harness.WindowTest):
         for key in self.keys("first_violation"):
             self.window.key(key)
             self.window.wait(lambda s: "No rule is broken" in s["message"], "'first_violation'")
+
+    def test_a_search_tells_how_far_it_is_and_can_be_given_up(self):
+        path = os.path.join(self.window.folder.name, "large.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"outer": [[0, 0], [40, 0], [40, 40], [0, 40]], "min_edge_length": 0.2,
+                       "density": [{"box": [[0, 0], [40, 40]], "length": 0.2}]}, file)
+        window = harness.Window(self.display, path)
+        self.addCleanup(window.close)
+        window.settled()
+        window.key("Prior")
+        there = window.settled()
+        for give_up in (lambda: window.key("Escape"), lambda: window.click("cancel")):
+            window.key("shift+F9")
+            window.wait(lambda s: s["activity"] == "searching" and "cancel" in s["widgets"], "how far it is")
+            give_up()
+            state = window.wait(lambda s: s["activity"] == "idle", "the search to end")
+            self.assertEqual(state["message"], "The search was stopped.")
+            self.assertEqual((state["tick"], state["hash"]), (there["tick"], there["hash"]))
+        window.key("shift+F9")
+        window.wait(lambda s: "No rule is broken" in s["message"], "a search that is not given up")
 
     def test_bookmarks(self):
         tick = self.measured()["tick"]

@@ -296,6 +296,25 @@ class Sessions(harness.WindowTest):
         other = self.another(state["message"][len("Wrote "):-1])
         other.wait(lambda s: s["hash"] == moved["hash"], "the domain file")
 
+    def test_a_constraint_on_a_loop_is_selected_but_not_moved(self):
+        path = os.path.join(self.window.folder.name, "loop.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"outer": [[0, 0], [40, 0], [40, 40], [0, 40]], "min_edge_length": 0.5,
+                       "holes": [{"name": "hole", "kind": "polygon", "points": [[10, 10], [20, 10], [20, 20], [10, 20]]}],
+                       "density": [{"loop": "hole", "length": 1}]}, file)
+        window = self.another(path)
+        window.key("e")
+        before = window.wait(lambda s: s["density"]["placing"], "the handles")
+        x, y = window.pixel(10, 15)  # its first side, turned round: holes run clockwise
+        window.press(x, y)
+        window.wait(lambda s: s["density"]["selected"] == 0 and "request.value" in s["widgets"], "it to be selected")
+        window.drag(x, y, x + 60, y + 30)
+        after = window.wait(lambda s: "cannot be moved" in s["message"], "why it stays")
+        self.assertEqual(after["density"]["requests"], before["density"]["requests"])
+        self.assertEqual(after["hash"], before["hash"])
+        window.key("Delete")
+        window.wait(lambda s: s["density"]["requests"] == [], "it to be deleted")
+
     def test_alt_click_and_escape_while_dragging(self):
         before = self.window.settled()
         left, top, width, height = self.window.canvas()

@@ -55,13 +55,15 @@ std::optional<Hit> stopAmong(const std::vector<Hit>& hits, std::span<const Break
   return std::nullopt;
 }
 
+bool goesOn(const SearchPulse& pulse, const MeshState& state) { return !pulse || pulse(state); }
+
 }  // namespace
 
 std::optional<Hit> continueForward(MeshState& state, std::span<const Breakpoint> breakpoints, std::vector<Hit>& passed,
-                                   const std::atomic<bool>& cancel) {
+                                   const SearchPulse& pulse) {
   Watch watch(state, breakpoints);
   std::vector<Hit> hits;
-  while (!cancel.load(std::memory_order_relaxed) && watch.step(hits)) {
+  while (goesOn(pulse, state) && watch.step(hits)) {
     for (const Hit& hit : hits) {
       if (breakpoints[hit.breakpoint].action != Breakpoint::Action::stop) passed.push_back(hit);
     }
@@ -72,7 +74,7 @@ std::optional<Hit> continueForward(MeshState& state, std::span<const Breakpoint>
 }
 
 std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, std::span<const Breakpoint> breakpoints,
-                                    const std::atomic<bool>& cancel) {
+                                    const SearchPulse& pulse) {
   std::uint64_t end = tick;  // decisions up to `end` (not including the one that makes tick `end`) are looked at
   while (end > 1) {
     MeshState state = history.before(end - 2).state;  // the decision that makes tick end - 1 is made from there
@@ -80,11 +82,13 @@ std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, 
     Watch watch(state, breakpoints);
     std::vector<Hit> hits;
     std::optional<Hit> last;
-    while (state.tick + 1 < end && !cancel.load(std::memory_order_relaxed) && watch.step(hits)) {
+    while (state.tick + 1 < end) {
+      if (!goesOn(pulse, state)) return std::nullopt;
+      if (!watch.step(hits)) break;
       if (const std::optional<Hit> stop = stopAmong(hits, breakpoints)) last = stop;
       hits.clear();
     }
-    if (last || cancel.load(std::memory_order_relaxed)) return last;
+    if (last) return last;
     end = begin + 1;  // the decision that made the keyframe itself belongs to the stretch before
   }
   return std::nullopt;

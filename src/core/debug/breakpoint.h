@@ -1,8 +1,8 @@
 // Breakpoints, and running to them: forwards from a state, backwards through a history.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -53,15 +53,19 @@ class Watch {
   std::uint64_t sinceInsertion_ = 0;
 };
 
+/// Asked before each decision that a search makes, with the state before it; false gives the search up. May be empty.
+using SearchPulse = std::function<bool(const MeshState&)>;
+
 /// Carries the state on to the first decision that meets an enabled breakpoint whose action is stop; the state is then
-/// right after that decision. Nothing when the run ends first, or `cancel` becomes true. Log and mark hits on the way
+/// right after that decision. Nothing when the run ends first, or the search is given up. Log and mark hits on the way
 /// are appended to `passed`.
 std::optional<Hit> continueForward(MeshState& state, std::span<const Breakpoint> breakpoints, std::vector<Hit>& passed,
-                                   const std::atomic<bool>& cancel);
+                                   const SearchPulse& pulse = {});
 
-/// The last decision before `tick` that meets a breakpoint whose action is stop.
+/// The last decision before `tick` that meets a breakpoint whose action is stop; nothing when there is none, or the
+/// search is given up.
 std::optional<Hit> continueBackward(const History& history, std::uint64_t tick, std::span<const Breakpoint> breakpoints,
-                                    const std::atomic<bool>& cancel);
+                                    const SearchPulse& pulse = {});
 
 /// A rule that no run should break: those of validity always, the bounds of section 3 once steps 1-5 are over.
 struct ViolationRule {

@@ -1,5 +1,7 @@
 #include "core/debug/compare.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,9 +13,9 @@ namespace {
 
 /// Order in which a run comes to its stages: steps 2 to 5 and their repair once a round.
 auto placeInRun(const StageEntry& entry) {
-  const bool inRound = entry.stage >= Stage::step2 && entry.stage <= Stage::repair;
-  const int part = entry.stage < Stage::step2 ? 0 : inRound ? 1 : 2;
-  return std::tuple(part, inRound ? entry.round : std::uint16_t{0}, entry.stage);
+  const bool again = inRounds(entry.stage);
+  const int part = entry.stage < Stage::step2 ? 0 : again ? 1 : 2;
+  return std::tuple(part, again ? entry.round : std::uint16_t{0}, entry.stage);
 }
 
 std::uint64_t endOf(const RunRecord& run, const StageEntry* entry) {
@@ -47,6 +49,15 @@ std::vector<SettingDifference> differences(const Settings& a, const Settings& b)
     if (x != y) list.push_back({&info, x, y});
   }
   return list;
+}
+
+std::string differencesText(std::span<const SettingDifference> list, double SettingDifference::* side,
+                            std::string_view is) {
+  std::string text;
+  for (const SettingDifference& d : list)
+    text += fmt::format("{}{} {} {}", text.empty() ? "" : ", ", settingName(*d.setting), is,
+                        settingText(*d.setting, d.*side));
+  return text;
 }
 
 std::vector<FigurePair> figurePairs(const Quality& a, const Quality& b) {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +26,9 @@ struct SettingDifference {
 };
 /// In the order of the table.
 std::vector<SettingDifference> differences(const Settings& a, const Settings& b);
+/// "ω = 0.05, smallest edge = auto": the values of one side, each after the setting's name and `is`; "" of none.
+std::string differencesText(std::span<const SettingDifference> list, double SettingDifference::* side,
+                            std::string_view is = "=");
 
 /// A figure of both meshes. `better` says which is better: 'a', 'b', or ' ' when equal or a matter of taste.
 struct FigurePair {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/history/history.h"
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
 
@@ -18,7 +19,6 @@ namespace triscope {
 namespace {
 
 constexpr double kMostValues = 1000.0;
-constexpr std::uint64_t kSlice = 64;  // decisions between two looks at `cancel`
 
 bool readNumber(std::string_view text, double& value) {
   const char* const last = text.data() + text.size();
@@ -43,10 +43,7 @@ Error noRange(std::string_view key, std::string_view text) {
 std::optional<SweepRow> carryOut(MeshState state, double omega, double theta, const std::atomic<bool>& cancel) {
   state.settings.omega = omega;
   state.settings.theta = theta;
-  Journal nobody;
-  while (!cancel && advanceUntil(state, Stage::refine, kSlice, nobody)) {
-  }
-  if (cancel) return std::nullopt;
+  if (!advanceUntil(state, Stage::refine, cancel)) return std::nullopt;
   const StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::refine)];
   return SweepRow{omega, theta, measure(state.mesh), counts.moved, counts.refused};
 }
@@ -87,8 +84,7 @@ Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view tex
 }
 
 bool precedesRefinement(const MeshState& state, const Settings& settings) {
-  const bool begun = state.stage > Stage::refine || (state.stage == Stage::refine && state.cursor.begun);
-  return !begun && firstAffected(state.settings, settings) >= Stage::refine;
+  return !hasComeTo(state, Stage::refine) && firstAffected(state.settings, settings) >= Stage::refine;
 }
 
 std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& omegas,

@@ -21,14 +21,14 @@ void Recording::keepBeat() {
   beat_.clear();
 }
 
-bool Recording::pulse() { return ++beats_ % kBeatsPerPulse != 0 || !pulse_ || pulse_(state_); }
+bool Recording::pulse(const MeshState& state) { return ++beats_ % kBeatsPerPulse != 0 || !pulse_ || pulse_(state); }
 
 template <class Reached>
 bool Recording::carryOn(Reached reached) {
   Journal journal{&beat_};
   while (!reached()) {
     const std::uint64_t tick = state_.tick;
-    if (!pulse()) return false;
+    if (!pulse(state_)) return false;
     const bool more = advance(state_, Grain::decision, journal);
     keepBeat();
     if (!more) return false;
@@ -63,11 +63,11 @@ bool Recording::toEvent(std::size_t index) {
 }
 
 bool Recording::toStage(Stage stage) {
-  if (state_.stage > stage || (state_.stage == stage && state_.cursor.begun) || state_.round > 1) returnTo(0);
+  if (hasComeTo(state_, stage)) returnTo(0);
   Journal journal{&beat_};
   while (state_.stage != stage) {
     const std::uint64_t tick = state_.tick;
-    if (over() || !pulse()) return false;
+    if (over() || !pulse(state_)) return false;
     advanceUntil(state_, Stage::refine, 1, journal);
     keepBeat();
     if (state_.tick > tick) history_.offer(state_, events_.size());
@@ -78,7 +78,7 @@ bool Recording::toStage(Stage stage) {
 std::optional<Hit> Recording::toNextHit(std::span<const Breakpoint> breakpoints, std::vector<Hit>& passed) {
   Watch watch(state_, breakpoints);
   std::vector<Hit> hits;
-  while (pulse() && watch.step(hits)) {
+  while (pulse(state_) && watch.step(hits)) {
     events_.append(watch.events());
     if (!over()) history_.offer(state_, events_.size());
     std::optional<Hit> stop;
@@ -94,8 +94,9 @@ std::optional<Hit> Recording::toNextHit(std::span<const Breakpoint> breakpoints,
   return std::nullopt;
 }
 
-std::optional<Hit> Recording::toPreviousHit(std::span<const Breakpoint> breakpoints, const std::atomic<bool>& cancel) {
-  const std::optional<Hit> hit = continueBackward(history_, state_.tick, breakpoints, cancel);
+std::optional<Hit> Recording::toPreviousHit(std::span<const Breakpoint> breakpoints) {
+  const std::optional<Hit> hit =
+      continueBackward(history_, state_.tick, breakpoints, [this](const MeshState& state) { return pulse(state); });
   if (hit) returnTo(hit->tick);
   return hit;
 }

@@ -1,7 +1,6 @@
 // A run under the eyes of a debugger: the state, every event up to it, and the history to go back by.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -41,8 +40,8 @@ class Recording {
   /// To the first decision after here that meets a breakpoint whose action is stop; log and mark hits on the way are
   /// appended to `passed`. Ends at the end of the run when there is none.
   std::optional<Hit> toNextHit(std::span<const Breakpoint> breakpoints, std::vector<Hit>& passed);
-  /// To the last decision before here that meets one; stays when there is none, or when `cancel` becomes true.
-  std::optional<Hit> toPreviousHit(std::span<const Breakpoint> breakpoints, const std::atomic<bool>& cancel);
+  /// To the last decision before here that meets one; stays when there is none, or when the pulse gave the search up.
+  std::optional<Hit> toPreviousHit(std::span<const Breakpoint> breakpoints);
 
   /// Number of the event that met the breakpoint, of a hit up to here.
   [[nodiscard]] std::size_t eventOf(const Hit& hit) const;
@@ -52,7 +51,7 @@ class Recording {
   bool carryOn(Reached reached);
   void keepBeat();
   void returnTo(std::uint64_t tick);
-  bool pulse();
+  bool pulse(const MeshState& state);
 
   MeshState state_;
   EventLog events_;

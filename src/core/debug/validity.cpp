@@ -4,7 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/domain/domain.h"
+#include "core/domain/loop_of.h"
+#include "core/domain/shortest_line.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/flip.h"
@@ -49,14 +50,12 @@ bool balanced(const Quadtree& tree) {
 
 // The domain lies to the left of its loops; a chain has it on both sides and encloses nothing.
 bool fillsTheDomain(const MeshState& state) {
-  std::vector<std::uint8_t> encloses(state.domain->curves.size(), 0);
-  for (const Loop& loop : state.domain->loops)
-    for (std::uint32_t k = 0; k < loop.curveCount; ++k) encloses[loop.firstCurve + k] = loop.role != LoopRole::chain;
   const Mesh& mesh = state.mesh;
   const Point origin = state.tree.origin;
   double inside = 0.0, filled = 0.0;
   for (const BoundaryEdge& edge : mesh.edges)
-    if (encloses[edge.curve] != 0) inside += cross(pointOf(mesh, edge.v0) - origin, pointOf(mesh, edge.v1) - origin);
+    if (loopOf(*state.domain, edge.curve).role != LoopRole::chain)
+      inside += cross(pointOf(mesh, edge.v0) - origin, pointOf(mesh, edge.v1) - origin);
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot)
     if (mesh.alive(static_cast<std::int32_t>(slot))) filled += twiceArea(mesh, static_cast<std::int32_t>(slot));
   return std::fabs(filled - inside) <= kAreaTolerance * std::fabs(inside);
@@ -64,12 +63,7 @@ bool fillsTheDomain(const MeshState& state) {
 
 }  // namespace
 
-double shortestAllowed(const MeshState& state) {
-  double shortest = state.minEdge;
-  for (const Curve& curve : state.domain->curves)
-    if (curve.kind == CurveKind::line) shortest = std::min(shortest, distance(curve.a, curve.b));
-  return shortest;
-}
+double shortestAllowed(const MeshState& state) { return std::min(state.minEdge, shortestLine(*state.domain).length); }
 
 std::uint8_t brokenRules(const MeshState& state, std::span<const std::int32_t> changed, std::span<const Event> events,
                          double shortest) {

@@ -5,6 +5,7 @@
 
 #include "core/density/boundary_tree.h"
 #include "core/density/quadtree.h"
+#include "core/domain/shortest_line.h"
 #include "core/geometry/trig.h"
 
 namespace triscope {
@@ -194,14 +195,6 @@ void requests(Search& search) {
   }
 }
 
-double shortestLine(const Domain& domain) {
-  double shortest = 1e300;
-  for (const Curve& curve : domain.curves) {
-    if (curve.kind == CurveKind::line) shortest = std::min(shortest, distance(curve.a, curve.b));
-  }
-  return shortest;
-}
-
 double extentOf(const Domain& domain) { return std::max(domain.bounds.width(), domain.bounds.height()); }
 
 void geometry(Search& search) {
@@ -222,7 +215,7 @@ std::vector<Constraint> findConstraints(const Domain& domain, const Settings& se
 }
 
 double finestLength(const Domain& domain, double minEdge) {
-  const double shortest = shortestLine(domain);
+  const double shortest = shortestLine(domain).length;
   double finest = minEdge;
   while (0.75 * finest > shortest) finest *= 0.5;
   return finest;
@@ -235,7 +228,7 @@ double deriveMinEdge(const Domain& domain, const Settings& settings) {
   double finest = extent / 40.0;
   for (const Constraint& constraint : search.found) finest = std::min(finest, constraint.length);
   // The shortest kept edge takes a whole number of edges of that length.
-  const double shortest = shortestLine(domain);
+  const double shortest = shortestLine(domain).length;
   if (shortest < 8.0 * finest) finest = shortest / std::max(1.0, std::ceil(shortest / finest - 1e-9));
   return finest;
 }

@@ -40,7 +40,7 @@ struct Domain {
   std::string text;            // the domain file itself, empty when made in memory
   double minEdgeLength = 0.0;  // the paper's Δx; 0: derive it from the geometry
   std::vector<Loop> loops;     // loops[0] is the outer one
-  std::vector<Curve> curves;
+  std::vector<Curve> curves;   // of one loop after the other, in their order
   std::vector<DensityRequest> density;
   Box bounds;
 };

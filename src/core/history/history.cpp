@@ -25,8 +25,7 @@ std::size_t bytesOf(const MeshState& s) {
 }
 
 bool hasComeTo(const MeshState& state, Stage stage) {
-  const auto comesAgain = [](Stage s) { return s >= Stage::step2 && s <= Stage::repair; };
-  if (comesAgain(stage) && comesAgain(state.stage) && state.round > 1) return true;
+  if (inRounds(stage) && inRounds(state.stage) && state.round > 1) return true;
   return state.stage > stage || (state.stage == stage && state.cursor.begun);
 }
 

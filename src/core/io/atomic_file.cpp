@@ -104,4 +104,11 @@ Status AtomicFile::commit() {
   return success();
 }
 
+Status writeWhole(const std::string& path, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (const Status written = file->write(bytes); !written) return written;
+  return file->commit();
+}
+
 }  // namespace triscope

@@ -36,4 +36,7 @@ class AtomicFile {
   int descriptor_ = -1;
 };
 
+/// All of a file in one go. Errors: cannot_write, saying why; then what was there before is still there.
+Status writeWhole(const std::string& path, std::string_view bytes);
+
 }  // namespace triscope

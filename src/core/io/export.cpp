@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/domain/loop_of.h"
 #include "core/mesh/edit.h"
 #include "core/quality/running_quality.h"
 
@@ -50,12 +51,7 @@ std::optional<Point> insideOf(const MeshFile& file, int group) {
 
 void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFile& file) {
   const Domain& domain = *state.domain;
-  std::vector<int> groupOfCurve(domain.curves.size(), 0);
-  for (std::size_t loop = 0; loop < domain.loops.size(); ++loop) {
-    const Loop& l = domain.loops[loop];
-    file.groups.push_back(l.name);
-    for (std::uint32_t c = 0; c < l.curveCount; ++c) groupOfCurve[l.firstCurve + c] = static_cast<int>(loop);
-  }
+  for (const Loop& loop : domain.loops) file.groups.push_back(loop.name);
   std::vector<BoundaryEdge> edges;
   for (const BoundaryEdge& edge : state.mesh.edges) {
     if (number[at(edge.v0)] >= 0 && number[at(edge.v1)] >= 0) edges.push_back(edge);
@@ -64,7 +60,8 @@ void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFil
     return std::tie(x.curve, x.t0, x.v0, x.v1) < std::tie(y.curve, y.t0, y.v0, y.v1);
   });
   for (const BoundaryEdge& edge : edges) {
-    file.edges.push_back({number[at(edge.v0)], number[at(edge.v1)], groupOfCurve[edge.curve]});
+    const auto group = static_cast<int>(&loopOf(domain, edge.curve) - domain.loops.data());
+    file.edges.push_back({number[at(edge.v0)], number[at(edge.v1)], group});
   }
   for (std::size_t loop = 0; loop < domain.loops.size(); ++loop) {
     if (domain.loops[loop].role != LoopRole::hole) continue;

@@ -1,6 +1,7 @@
 // Stage "boundary" (paper, section 3, Figure 4 a): points on every curve so that each edge sees the same ∫ ds / h.
 #include <algorithm>
 
+#include "core/domain/loop_of.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -84,11 +85,8 @@ Outcome runBoundary(MeshState& state, Journal& journal) {
   cursor.begun = true;
   while (cursor.index == state.boundary.size()) {
     if (cursor.phase == state.domain->curves.size()) return Outcome::done;
-    for (const Loop& loop : state.domain->loops) {
-      if (cursor.phase < loop.firstCurve || cursor.phase >= loop.firstCurve + loop.curveCount) continue;
-      placeOn(state, cursor.phase, fewestEdges(loop, state.domain->curves[cursor.phase]));
-      break;
-    }
+    const Loop& loop = loopOf(*state.domain, cursor.phase);
+    placeOn(state, cursor.phase, fewestEdges(loop, state.domain->curves[cursor.phase]));
     ++cursor.phase;
   }
   const BoundaryPoint& point = state.boundary[cursor.index++];

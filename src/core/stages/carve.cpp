@@ -1,4 +1,5 @@
 // Stage "carve" (paper, section 3, Figure 4 b): triangles outside the domain are removed, one per decision.
+#include "core/domain/loop_of.h"
 #include "core/mesh/edit.h"
 #include "core/stages/stage_runs.h"
 
@@ -10,12 +11,6 @@ namespace {
 void findOutside(MeshState& state) {
   Mesh& mesh = state.mesh;
   std::vector<std::int32_t>& outside = state.cursor.worklist;
-  std::vector<std::uint8_t> chain(state.domain->curves.size(), 0);
-  for (const Loop& loop : state.domain->loops) {
-    for (std::uint32_t c = loop.firstCurve; c < loop.firstCurve + loop.curveCount; ++c) {
-      chain[c] = loop.role == LoopRole::chain ? 1 : 0;
-    }
-  }
   std::vector<std::uint8_t> seen(mesh.triangles.size(), 0);
   const auto reach = [&](std::int32_t slot) {
     if (seen[at(slot)] != 0) return;
@@ -30,7 +25,8 @@ void findOutside(MeshState& state) {
   }
   for (std::int32_t helper = 0; helper < 4; ++helper) reach(mesh.vertexTriangle[at(helper)]);
   for (const BoundaryEdge& edge : mesh.edges) {
-    if (chain[edge.curve] == 0) reach(triangleOf(findHalfEdge(mesh, edge.v1, edge.v0)));
+    if (loopOf(*state.domain, edge.curve).role == LoopRole::chain) continue;
+    reach(triangleOf(findHalfEdge(mesh, edge.v1, edge.v0)));
   }
   for (std::size_t k = 0; k < outside.size(); ++k) {
     for (int i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-#include "render/number.h"
+#include "core/number.h"
 
 #include <fmt/format.h>
 
