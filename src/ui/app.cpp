@@ -1,5 +1,7 @@
 #include "ui/app.h"
 
+#include <GLFW/glfw3.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -17,6 +19,8 @@ namespace {
 
 // A dialog's text field is ready for keys so many frames after the dialog was asked for.
 constexpr std::uint64_t kFramesOfOpening = 3;
+// Dear ImGui says some frames after the key which ends the typing that text is no longer wanted.
+constexpr std::uint64_t kFramesOfTypingsEnd = 4;
 
 constexpr const char* kFirstSample = "blunt_body.json";
 
@@ -64,6 +68,7 @@ std::string App::start(double monitorScale) {
 
 bool App::takesKeys() const {
   if (ui_.debug.typeSoon > 0) return false;
+  if (frames_ < typingEnds_ && ImGui::GetIO().WantTextInput) return false;
   return dialogDrawn_ == Dialog::none || frames_ - dialogFrame_ >= kFramesOfOpening;
 }
 
@@ -73,6 +78,8 @@ void App::onKey(int key, int mods) {
     ++ui_.keysPressed;
     ui_.tipsWait = true;
   }
+  const bool endsTyping = key == GLFW_KEY_ESCAPE || key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER;
+  if (endsTyping && ImGui::GetIO().WantTextInput) typingEnds_ = frames_ + kFramesOfTypingsEnd;
   std::optional<Action> action = heatMapAction(key, mods);
   if (!action) action = actionFor(key, mods);
   if (!action) return;

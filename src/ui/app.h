@@ -244,6 +244,7 @@ class App {
   std::uint64_t failuresSeen_ = 0;
   bool closing_ = false;
   std::uint64_t frames_ = 0;
+  std::uint64_t typingEnds_ = 0;       // by this frame a key has ended the typing, if it does
   Dialog dialogDrawn_ = Dialog::none;  // last
   std::uint64_t dialogFrame_ = 0;      // since when
   ImVec2 windowSize_{0.0f, 0.0f};

@@ -267,6 +267,14 @@ class Debugger(harness.WindowTest):
             name = {"refine": "step 6"}.get(there["stage"], there["stage"].replace("step", "step "))
             self.window.wait(lambda s: s["tooltip"].startswith(f"Decision {tick}, {name}"), (tick, name))
 
+    def test_a_key_that_follows_the_end_of_typing_is_heard(self):
+        """Escape leaves the field, and the next key, however soon, is a command again."""
+        for _ in range(3):
+            self.window.key("ctrl+b")
+            self.window.wait(lambda s: s["debug"]["bottom"] == "Breakpoints", "the field of conditions")
+            self.window.xdotool("key", "--delay", "0", "Escape", "shift+h")
+            self.window.wait(lambda s: s["debug"]["bottom"] == "Sweep", "the sweep's panel")
+
     def test_everything_has_its_place(self):
         """At 100 % and 200 %, with each panel open: on the screen, and nothing over anything else."""
         for scale in (1.0, 2.0):
