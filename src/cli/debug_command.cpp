@@ -116,6 +116,8 @@ ExitCode runCommand(const DebugCommand& options) {
   const std::string answers = options.json ? answersAsJson(stop, options.prints) : answersAsText(stop, options.prints);
   std::fwrite(answers.data(), 1, answers.size(), stdout);
 
+  if (options.firstViolation && !hit && !options.quiet)
+    fmt::print(stderr, "note: no rule of validity and no bound of the paper is broken up to the end of the run\n");
   if (options.firstViolation) return hit ? ExitCode::unmet : ExitCode::ok;
   if (!breakpoints->empty() && !hit) {
     fmt::print(stderr, "triscope: no breakpoint was met {}\n",

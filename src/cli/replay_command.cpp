@@ -23,14 +23,15 @@ Error unmet(std::string message, std::string hint, const std::string& file) {
   return {.code = ExitCode::unmet, .message = std::move(message), .hint = std::move(hint), .file = file};
 }
 
-/// Tells of a domain file that is no longer what the session holds.
+/// Tells of a domain file that is not what the session holds: one of them has been edited.
 void noteChanges(const SessionFile& session, bool quiet) {
   if (quiet) return;
   const Result<std::string> text = readTextFile(session.domainFile);
   if (!text.ok())
     fmt::print(stderr, "note: {} is not there; the session's own copy is used\n", session.domainFile);
   else if (*text != session.domainText)
-    fmt::print(stderr, "note: {} has changed since; the session's own copy is used\n", session.domainFile);
+    fmt::print(stderr, "note: the session was saved with another text than that of {}; its own copy is used\n",
+               session.domainFile);
 }
 
 /// What differs first, of the stages recorded and those of this run.

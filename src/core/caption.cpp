@@ -105,7 +105,8 @@ std::string refusalOf(const Event& e) {
     case Refusal::edge_below_minimum:
       return fmt::format("{} ({} < {})", why, number(e.measured), number(e.limit));
     case Refusal::star_worse:  // in aspect ratio, or else in one of the measures that the event does not name
-      return e.measured > e.limit ? fmt::format("{} (aspect ratio {:.4g}, now {:.4g})", why, e.measured, e.limit) : why;
+      return e.measured > e.limit ? fmt::format("{} (aspect ratio {:.4g}, now {:.4g})", why, e.measured, e.limit)
+                                  : why + " (in obtuse angles, area ratio or edge ratio)";
     default:
       return why;
   }
@@ -219,12 +220,13 @@ std::string captionOf(const Event& e, const MeshState& state) {
       return fmt::format("{} are done: {} found, Δx = {}.", stage, grouped(state.constraints.size()),
                          number(state.minEdge));
     case Stage::quadtree:
-      return fmt::format("{} is done: {}.", stage, counted(leavesOf(state.tree).cells, "cell", "cells"));
+      return fmt::format("{} is done: {}.", stage, counted(leavesOf(state.tree).cells, "leaf cell", "leaf cells"));
     case Stage::density: {
       const Leaves leaves = leavesOf(state.tree);
-      return fmt::format("{} is done: {}, ranks {}–{}, {} estimated.", stage, counted(leaves.cells, "cell", "cells"),
-                         leaves.lowest, leaves.highest,
-                         counted(static_cast<std::uint64_t>(state.estimatedTriangles), "triangle", "triangles"));
+      return fmt::format(
+          "{} is done: {}, ranks {}–{}, {} estimated.", stage, counted(leaves.cells, "leaf cell", "leaf cells"),
+          leaves.lowest, leaves.highest,
+          counted(static_cast<std::uint64_t>(std::llround(state.estimatedTriangles)), "triangle", "triangles"));
     }
     case Stage::boundary:
       return fmt::format(

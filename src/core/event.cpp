@@ -37,7 +37,7 @@ constexpr std::array kRules = std::to_array<Words>({
     {"curvature", "one edge may turn only so far on this curve"},
     {"corner", "the boundary has a sharp corner here"},
     {"gap", "two pieces of the boundary face each other across a narrow gap"},
-    {"short edge", "an input edge is this short"},
+    {"short edge", "an edge of the input is this long"},
     {"balance", "neighbouring cells may differ by one cell rank only"},
     {"advancing front", "the density may grow by one rank from a cell to its neighbour"},
     {"boundary point", "every boundary edge spans the same part of the density's integral"},

@@ -180,6 +180,8 @@ void SessionWorker::goOn(bool backwards) {
   if (!any) return head({.kind = Goal::Kind::end}, Activity::stepping);
   head({.kind = Goal::Kind::breakpoint}, Activity::stepping);
   watch_.emplace(state_, breakpoints_);
+  const Breakpoint* const holding = watch_->holding();
+  heldFromStart_ = holding != nullptr ? holding->condition.text() : std::string();
 }
 
 void SessionWorker::goBackToBreakpoint() {

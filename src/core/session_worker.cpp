@@ -125,7 +125,12 @@ void SessionWorker::slice() {
     if (spent > kSlice) chunk_ = std::max<std::uint64_t>(chunk_ / 2, 1);
   }
   if (reached()) {
-    if (goal_.kind == Goal::Kind::breakpoint && !stopped_) notice_ = "No breakpoint was met before the end of the run.";
+    if (goal_.kind == Goal::Kind::breakpoint && !stopped_) {
+      notice_ = "No breakpoint was met before the end of the run.";
+      if (!heldFromStart_.empty())
+        notice_ +=
+            fmt::format(" Where it began, {} held already: that is met when it next becomes true.", heldFromStart_);
+    }
     const std::optional<std::uint64_t> then = goal_.then;
     halt();
     if (then) seek(*then);

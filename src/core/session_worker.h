@@ -177,7 +177,8 @@ class SessionWorker {
   std::vector<Breakpoint> breakpoints_;
   std::optional<Watch> watch_;  // while the goal is a breakpoint
   std::vector<PassedHit> hits_;
-  bool stopped_ = false;  // the last decision met a breakpoint that stops
+  std::string heldFromStart_;  // a condition that held where the watch began, which is no hit
+  bool stopped_ = false;       // the last decision met a breakpoint that stops
   bool recordChanged_ = false;
   bool hitsChanged_ = false;
   std::string notice_;

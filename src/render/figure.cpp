@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/io/atomic_file.h"
 #include "core/number.h"
@@ -106,7 +107,8 @@ std::string figureCaption(const MeshState& state, Stage stage) {
     return state.estimatedTriangles > 0.0
                ? fmt::format("Δx = {}; {}; the table of density ranks estimates {}.", compact(state.minEdge),
                              counted(leaves, "cell", "cells"),
-                             counted(static_cast<std::uint64_t>(state.estimatedTriangles), "triangle", "triangles"))
+                             counted(static_cast<std::uint64_t>(std::llround(state.estimatedTriangles)), "triangle",
+                                     "triangles"))
                : fmt::format("Δx = {}; {}.", compact(state.minEdge), counted(leaves, "cell", "cells"));
   }
   if (state.mesh.liveCount() == 0) {

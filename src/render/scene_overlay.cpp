@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/geometry/circumcircle.h"
-#include "core/number.h"
+#include "core/quality/bound_figure.h"
 #include "render/pick.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"
@@ -158,7 +158,8 @@ void addCell(const SceneInput& in, Layer& layer) {
   }
 }
 
-void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, const char* label, double value) {
+void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, const char* label, double value,
+              double bound) {
   const Mesh& mesh = in.state.mesh;
   if (slot < 0 || at(slot) >= mesh.triangles.size() || !mesh.alive(slot)) return;
   const Triangle& t = triangleAt(mesh, slot);
@@ -170,7 +171,7 @@ void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, 
   const double radius = std::sqrt(circle.squaredRadius) * (1.05 + 0.12 * which);
   addCircle(in, layer, {circle.centre, radius, least, style});
   if (!in.options.labels) return;
-  Label text = note(in, circle.centre, std::string(label) + " " + compact(value), style.color);
+  Label text = note(in, circle.centre, std::string(label) + " " + besideBound(value, bound, 2), style.color);
   text.dx = least + 3.0f;
   text.dy = -least;
   text.around = 0.75 * radius;
@@ -234,9 +235,9 @@ void buildDecision(const SceneInput& in, Layer& layer) {
 
 void buildWorst(const SceneInput& in, Layer& layer) {
   if (!in.options.worst || in.quality == nullptr || in.quality->triangles == 0) return;
-  addWorst(in, layer, 0, in.quality->aspectAt, "aspect", in.quality->aspectMax);
-  addWorst(in, layer, 1, in.quality->areaRatioAt, "area ratio", in.quality->areaRatioMax);
-  addWorst(in, layer, 2, in.quality->edgeRatioAt, "edge ratio", in.quality->edgeRatioMax);
+  addWorst(in, layer, 0, in.quality->aspectAt, "aspect", in.quality->aspectMax, Bounds::aspect);
+  addWorst(in, layer, 1, in.quality->areaRatioAt, "area ratio", in.quality->areaRatioMax, Bounds::areaRatio);
+  addWorst(in, layer, 2, in.quality->edgeRatioAt, "edge ratio", in.quality->edgeRatioMax, Bounds::edgeRatio);
 }
 
 void buildSelection(const SceneInput& in, Layer& layer) {

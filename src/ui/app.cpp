@@ -103,6 +103,7 @@ bool App::poll() {
   if (news) followRun();
   if (pinned_ && pinned_->poll()) news = true;
   if (news) followInsertion();
+  if (news) showFound();
   const bool saved = save_.ready();
   followDocument();
   const bool swept = followSweep();

@@ -143,6 +143,8 @@ class App {
   void toggle(Action action);
   void cancel();
   void performDebug(Action action);
+  void search(const Command& command);
+  void showFound();
   void toggleBreakpoint();
   void toggleBookmark();
   void goToMark(bool after);
@@ -244,6 +246,7 @@ class App {
   std::uint64_t failuresSeen_ = 0;
   bool closing_ = false;
   std::uint64_t frames_ = 0;
+  bool searching_ = false;             // a breakpoint or a violation: what is found is to be seen
   std::uint64_t typingEnds_ = 0;       // by this frame a key has ended the typing, if it does
   Dialog dialogDrawn_ = Dialog::none;  // last
   std::uint64_t dialogFrame_ = 0;      // since when

@@ -22,20 +22,51 @@ Pick pickOf(Ref ref) {
   return pick;
 }
 
+/// Whether Event::at says where the decision was made.
+bool hasPlace(const Event& event) {
+  switch (event.kind) {
+    case EventKind::constraint_found:
+    case EventKind::boundary_point:
+    case EventKind::vertex_refused:
+    case EventKind::vertex_kept:
+    case EventKind::failure:
+      return true;
+    default:
+      return placesVertex(event);
+  }
+}
+
 }  // namespace
+
+void App::search(const Command& command) {
+  searching_ = true;
+  apply(command);
+}
+
+/// Where the search has ended comes into view, as large as the picture is now.
+void App::showFound() {
+  if (!searching_ || session_.busy() || shown_ == nullptr) return;
+  searching_ = false;
+  if (!shown_->last || !hasPlace(*shown_->last)) return;
+  const Point place = shown_->last->at;
+  const Box seen = visibleBox(ui_.camera);
+  if (place.x >= seen.lo.x && place.x <= seen.hi.x && place.y >= seen.lo.y && place.y <= seen.hi.y) return;
+  ui_.camera.centre = place;
+  fitted_ = false;
+}
 
 void App::performDebug(Action action) {
   DebugUi& debug = ui_.debug;
   const auto show = [&debug](const char* panel) { debug.bottom = debug.bottom == panel ? "" : panel; };
   switch (action) {
     case Action::continue_forward:
-      return apply(command::Continue{false});
+      return search(command::Continue{false});
     case Action::continue_back:
-      return apply(command::Continue{true});
+      return search(command::Continue{true});
     case Action::breakpoint:
       return toggleBreakpoint();
     case Action::first_violation:
-      return apply(command::FindViolation{});
+      return search(command::FindViolation{});
     case Action::bookmark:
       return toggleBookmark();
     case Action::previous_mark:

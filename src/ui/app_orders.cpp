@@ -104,6 +104,7 @@ void App::run(const Command& command) {
   if (!std::holds_alternative<command::Play>(command)) session_.settle(kPatience);
   followRun();
   followInsertion();
+  showFound();
 }
 
 void App::change(const Settings& settings) {

@@ -73,6 +73,8 @@ void App::moveCell(Action action) {
 
 void App::takeCell() {
   const Settings settings = withPairOf(*ui_.sweep.shown(), *ui_.sweep.chosen, session_.settings());
+  // The figures of the cell are those of the end.
+  if (shown_->state.stage != Stage::finished) apply(command::Advance{Grain::all});
   if (settings != session_.settings()) apply(command::Change{settings});
 }
 

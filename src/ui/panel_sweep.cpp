@@ -265,8 +265,7 @@ void heatMap(const View& view, Orders& orders, const SweepTable& table, HeatMap&
   tip(view, tooltipOf(table, *map.under, outOfDate));
   if (!pressed) return;
   orders.emplace_back(order::ChooseCell{map.under});
-  const Settings settings = withPairOf(table, *map.under, view.session.settings());
-  if (settings != view.session.settings()) orders.emplace_back(command::Change{settings});
+  orders.emplace_back(Action::take_cell);
 }
 
 }  // namespace

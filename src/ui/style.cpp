@@ -69,7 +69,7 @@ void applyStyle(const Theme& theme, float scale) {
   c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = toImVec4(accent);
   c[ImGuiCol_ResizeGrip] = c[ImGuiCol_ResizeGripHovered] = c[ImGuiCol_ResizeGripActive] = step(0.2);
   c[ImGuiCol_Tab] = step(0.05);
-  c[ImGuiCol_TabHovered] = tint(0.2);
+  c[ImGuiCol_TabHovered] = step(0.14);  // not as the active one
   c[ImGuiCol_TabActive] = tint(0.25);
   c[ImGuiCol_TabUnfocused] = c[ImGuiCol_Tab];
   c[ImGuiCol_TabUnfocusedActive] = c[ImGuiCol_TabActive];

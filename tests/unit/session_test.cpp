@@ -211,6 +211,15 @@ TEST(Session, ContinuesToABreakpointBothWays) {
   EXPECT_EQ(forwards, backwards);
 }
 
+TEST(Session, SaysOfAConditionThatHoldsAlreadyWhyItIsNotMet) {
+  Session session;
+  const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
+  doNow(session, command::SetBreakpoints{{{*Condition::compile("triangles > 10"), Breakpoint::Action::stop}}});
+  doNow(session, command::Seek{end - 3});
+  EXPECT_EQ(doNow(session, command::Continue{}).state.tick, end);
+  EXPECT_NE(session.notice().find("triangles > 10 held already"), std::string::npos) << session.notice();
+}
+
 TEST(Session, MarksWithoutStoppingAndStopsWhenCancelled) {
   Session session;
   const std::uint64_t end = doNow(session, command::OpenDomain{square(0.5)}).state.tick;
@@ -219,6 +228,7 @@ TEST(Session, MarksWithoutStoppingAndStopsWhenCancelled) {
                                  {*Condition::compile("triangle == 1 and vertex == 1"), Breakpoint::Action::stop}}});
   doNow(session, command::Restart{});
   EXPECT_EQ(doNow(session, command::Continue{}).state.tick, end);
+  EXPECT_EQ(session.notice(), "No breakpoint was met before the end of the run.");
   EXPECT_FALSE(session.hits().empty());
   session.apply(command::Continue{true});
   session.apply(command::Cancel{});

@@ -2,10 +2,13 @@
 
 import json
 import os
+import subprocess
 import unittest
 
 import harness
 from keys_test import chord
+
+BLUNT_BODY = f"{harness.SOURCE}/assets/domains/blunt_body.json"
 
 
 class Debugger(harness.WindowTest):
@@ -266,6 +269,24 @@ class Debugger(harness.WindowTest):
             there = self.window.wait(lambda s: s["tick"] == tick and s["activity"] == "idle", f"decision {tick}")
             name = {"refine": "step 6"}.get(there["stage"], there["stage"].replace("step", "step "))
             self.window.wait(lambda s: s["tooltip"].startswith(f"Decision {tick}, {name}"), (tick, name))
+
+    def test_where_a_breakpoint_stops_is_in_view(self):
+        """Near the worst triangle, a run that stops elsewhere brings the place along, and keeps the scale."""
+        self.window.key("2")
+        near = self.window.wait(lambda s: s["selection"]["kind"] == "triangle" and s["camera"]["scale"] > 20,
+                                "the worst triangle")["camera"]
+        self.window.key("ctrl+b")
+        self.add("stage == step1 and inserted")
+        self.window.key("shift+F5")
+        self.window.wait(lambda s: s["stage"] == "step1" and s["activity"] == "idle", "the last insertion of step 1")
+        state = self.window.wait(lambda s: (s["camera"]["x"], s["camera"]["y"]) != (near["x"], near["y"]), "the place")
+        self.assertEqual(state["camera"]["scale"], near["scale"])
+        last = state["events"] - 1
+        told = subprocess.run([harness.PROGRAM, "debug", BLUNT_BODY, "-q", "--goto", f"tick={state['tick']}", "--print",
+                               f"events:{last}-{last}", "--json"], check=True, capture_output=True, text=True)
+        x, y = json.loads(told.stdout)["answers"][0]["events"][0]["at"]
+        self.assertAlmostEqual(state["camera"]["x"], x, 4)
+        self.assertAlmostEqual(state["camera"]["y"], y, 4)
 
     def test_a_key_that_follows_the_end_of_typing_is_heard(self):
         """Escape leaves the field, and the next key, however soon, is a command again."""

@@ -93,6 +93,20 @@ class Sweep(harness.WindowTest):
         state = window.wait(lambda s: s["hash"] == before["hash"] and not s["stale"], "the run from before")
         self.assertEqual((state["settings"], state["undo"]), (before["settings"], 0))
 
+    def test_a_pair_taken_on_the_way_is_shown_at_its_end(self):
+        """The figures of a cell are those of the end: nothing before it is shown as if it were the whole run."""
+        window = self.window
+        before = self.small()
+        window.click("tab.Stages")
+        window.click("stage.front1")
+        window.wait(lambda s: s["tick"] < before["tick"] and s["activity"] == "idle", "an early stage")
+        window.press(*self.cell(0.25, 5.0))
+        state = window.wait(lambda s: s["settings"]["omega"] == 0.25 and s["stage"] == "finished" and not s["stale"]
+                            and s["activity"] == "idle", "the end of the pair's run")
+        row = next(r for r in self.rows(before) if (float(r["omega"]), float(r["theta_deg"])) == (0.25, 5.0))
+        self.assertEqual(state["figures"]["obtuse"], float(row["obtuse"]))
+        self.assertEqual(state["debug"]["ticks"], state["tick"])
+
     def test_cells_are_coloured_by_the_figure_chosen(self):
         window = self.window
         rows = self.rows(self.small())

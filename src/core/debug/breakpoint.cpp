@@ -17,6 +17,12 @@ Watch::Watch(MeshState& state, std::span<const Breakpoint> breakpoints)
   }
 }
 
+const Breakpoint* Watch::holding() const {
+  for (std::size_t k = 0; k < breakpoints_.size(); ++k)
+    if (breakpoints_[k].enabled && held_[k] != 0) return &breakpoints_[k];
+  return nullptr;
+}
+
 bool Watch::step(std::vector<Hit>& hits) {
   events_.clear();
   changes_.slots.clear();

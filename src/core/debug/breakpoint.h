@@ -41,6 +41,8 @@ class Watch {
   /// Events of the last decision.
   [[nodiscard]] const std::vector<Event>& events() const { return events_; }
   [[nodiscard]] const RunningQuality& quality() const { return quality_; }
+  /// The first enabled breakpoint on the mesh alone whose condition holds already: it is met when it next becomes true.
+  [[nodiscard]] const Breakpoint* holding() const;
 
  private:
   MeshState& state_;

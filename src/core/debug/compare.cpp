@@ -83,7 +83,8 @@ std::vector<FigurePair> figurePairs(const Quality& a, const Quality& b) {
   for (const Figure& figure : kFigures) {
     const double x = figure.value(a);
     const double y = figure.value(b);
-    const bool judged = figure.wish != Wish::none && x != y;
+    // What differs less than anybody sees is not better.
+    const bool judged = figure.wish != Wish::none && std::fabs(x - y) > 1e-4 * std::max(std::fabs(x), std::fabs(y));
     list.push_back({figure.name, figure.unit, x, y,
                     !judged                                   ? ' '
                     : (x < y) == (figure.wish == Wish::small) ? 'a'

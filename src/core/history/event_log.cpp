@@ -117,7 +117,7 @@ Event EventLog::operator[](std::size_t index) const {
 
 std::size_t EventLog::bytes() const {
   std::size_t sum = tail_.capacity() * sizeof(Unpacked) + placed_.capacity() * sizeof(std::uint32_t) +
-                    blocks_.capacity() * sizeof(blocks_[0]) + mentioned_.capacity() * sizeof(Mentioned);
+                    blocks_.capacity() * sizeof(std::vector<std::uint8_t>) + mentioned_.capacity() * sizeof(Mentioned);
   for (const auto& block : blocks_) sum += block.capacity();
   return sum;
 }
