@@ -87,8 +87,8 @@ class Stages(harness.WindowTest):
         window.key("ctrl+Home")
         window.wait(lambda s: s["tick"] == 0 and s["activity"] == "idle", "the start")
         seen = []
-        for caption in (r"Constraints are done: \d+ found, Δx = 1\.", r"Quadtree is done: \d+ cells\.",
-                        r"Density is done: \d+ cells, ranks 1–\d+, \d+ triangles estimated\.",
+        for caption in (r"Constraints are done: \d+ found, Δx = 1\.", r"Quadtree is done: \d+ leaf cells\.",
+                        r"Density is done: \d+ leaf cells, ranks 1–\d+, \d+ triangles estimated\.",
                         r"Boundary points are done: [1-9]\d* placed between those of the input\."):
             window.key("ctrl+Right")
             seen.append(window.wait(lambda s: re.fullmatch(caption, s["caption"]), caption)["layers"])
