@@ -76,14 +76,14 @@ std::vector<Line> why(Events events, Ref ref, const TriangleFacts& facts) {
     const std::optional<std::size_t> reason = reasonFor(events, ref, events.size());
     if (reason) answer.tell(*reason, kCellCauses);
   }
+  if (ref.kind == Ref::Kind::triangle && birth) {
+    if (const auto story = shapeStoryOf(events, *birth, facts)) tellShape(*story, answer);
+  }
   if (birth) {
     answer.tell(*birth, cell ? 2 : kCauses);
     if (ref.kind != Ref::Kind::event) answer.say(siblings(events[*birth], ref));
   } else {
     answer.say(withoutBirth(events, ref));
-  }
-  if (ref.kind == Ref::Kind::triangle && birth) {
-    if (const auto story = shapeStoryOf(events, *birth, facts)) tellShape(*story, answer);
   }
   if (ref.kind == Ref::Kind::vertex && birth) tellMoves(events, ref.id, *birth, answer);
   return answer.take();
