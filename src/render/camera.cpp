@@ -20,6 +20,11 @@ Box visibleBox(const Camera& camera) {
   return {camera.centre - half, camera.centre + half};
 }
 
+bool shows(const Camera& camera, const Box& box) {
+  const Box seen = visibleBox(camera);
+  return box.lo.x >= seen.lo.x && box.lo.y >= seen.lo.y && box.hi.x <= seen.hi.x && box.hi.y <= seen.hi.y;
+}
+
 Camera fitted(const Box& box, double width, double height, double margin) {
   Camera camera;
   camera.width = std::max(width, 1.0);

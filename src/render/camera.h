@@ -17,6 +17,8 @@ Point toPixel(const Camera& camera, Point world);
 Point toWorld(const Camera& camera, Point pixel);
 /// The part of the world that the picture shows.
 Box visibleBox(const Camera& camera);
+/// Whether the picture shows the whole of a box.
+bool shows(const Camera& camera, const Box& box);
 /// Shows the whole box with `margin` pixels on every side; an empty or flat box is given some extent.
 Camera fitted(const Box& box, double width, double height, double margin);
 /// Magnified by `factor` (> 1 nearer) while the world point under `pixel` stays there; the scale stays within the

@@ -213,24 +213,22 @@ void addWorst(const SceneInput& in, std::vector<LegendItem>& legend) {
 void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
   const Insertion& insertion = *in.insertion->insertion;
   const Theme& theme = in.theme;
-  const bool circumcircle = insertion.candidate >= 0 && insertion.event.rule != Rule::step5;
+  const bool circumcircle = measuresCircumcircle(insertion);
   switch (in.insertion->phase) {
     case InsertionPhase::candidate:
       if (insertion.candidate >= 0) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
       if (insertion.splits >= 0)
-        legend.push_back(
-            lineItem(Sample::line, {theme.candidate, 2.6f, Dash::solid, false}, "boundary edge to be split"));
+        legend.push_back(lineItem(Sample::line, splitLine(theme), "boundary edge to be split"));
       if (!insertion.measured) break;
-      legend.push_back(
-          lineItem(circumcircle ? Sample::circle : Sample::line, {theme.candidate, 1.6f, Dash::solid, false},
-                   circumcircle ? "circumcircle, R" : "measured length", compact(insertion.measured->length)));
-      legend.push_back(lineItem(Sample::circle, {theme.refused, 1.6f, Dash::dashed, false}, "limit",
-                                compact(insertion.measured->limit)));
+      legend.push_back(lineItem(circumcircle ? Sample::circle : Sample::line, measuredLine(theme),
+                                circumcircle ? "circumcircle, R" : "measured length",
+                                compact(insertion.measured->length)));
+      legend.push_back(lineItem(Sample::circle, limitCircle(theme), "limit", compact(insertion.measured->limit)));
       break;
     case InsertionPhase::walk:
       if (insertion.candidate >= 0) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
       if (insertion.walk.empty()) break;
-      legend.push_back(lineItem(Sample::line, {theme.candidate, 2.2f, Dash::solid, false}, "walk"));
+      legend.push_back(lineItem(Sample::line, walkLine(theme), "walk"));
       legend.push_back(fillItem(faded(theme.selection, 0.28), "triangles on the way", grouped(insertion.walk.size())));
       break;
     case InsertionPhase::cavity: {
@@ -238,8 +236,8 @@ void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
       gone.fill = theme.removed;
       legend.push_back(std::move(gone));
       legend.push_back(lineItem(Sample::circle, cavityCircle(theme), "their circumcircles"));
-      legend.push_back(lineItem(Sample::line, {theme.created, 2.2f, Dash::solid, false}, "rim: edges that stay",
-                                grouped(insertion.cavity.rim.size())));
+      legend.push_back(
+          lineItem(Sample::line, rimLine(theme), "rim: edges that stay", grouped(insertion.cavity.rim.size())));
       break;
     }
     case InsertionPhase::filled:

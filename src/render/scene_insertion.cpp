@@ -33,7 +33,7 @@ void addCandidate(const SceneInput& in, Layer& layer) {
   if (insertion.splits >= 0)
     layer.lines.push_back(
         polyline({pointOf(mesh, startOf(mesh, insertion.splits)), pointOf(mesh, endOf(mesh, insertion.splits))}, false,
-                 {in.theme.candidate, 2.6f, Dash::solid, false}));
+                 splitLine(in.theme)));
 }
 
 /// The measured length as a circle or a line, and what it is held against as a dashed circle.
@@ -41,10 +41,10 @@ void addMeasured(const SceneInput& in, Layer& layer) {
   const Insertion& insertion = *in.insertion->insertion;
   if (!insertion.measured) return;
   const Measured& m = *insertion.measured;
-  const bool circumcircle = insertion.candidate >= 0 && insertion.event.rule != Rule::step5;
-  if (circumcircle) addCircle(in, layer, {m.from, m.length, 0.0f, {in.theme.candidate, 1.6f, Dash::solid, false}});
-  addCircle(in, layer, {m.from, m.limit, 0.0f, {in.theme.refused, 1.6f, Dash::dashed, false}});
-  layer.lines.push_back(polyline({m.from, m.to}, false, {in.theme.candidate, 1.6f, Dash::solid, false}));
+  const bool circumcircle = measuresCircumcircle(insertion);
+  if (circumcircle) addCircle(in, layer, {m.from, m.length, 0.0f, measuredLine(in.theme)});
+  addCircle(in, layer, {m.from, m.limit, 0.0f, limitCircle(in.theme)});
+  layer.lines.push_back(polyline({m.from, m.to}, false, measuredLine(in.theme)));
   if (!in.options.labels) return;
   // Above and below the outermost circle, where nothing of the insertion is in their way.
   const double reach = circumcircle ? std::max(m.length, m.limit) : m.limit;
@@ -72,7 +72,7 @@ void addWalk(const SceneInput& in, Layer& layer) {
   for (const std::int32_t slot : insertion.walk) way.push_back(centroid(mesh, slot));
   const Point first = way.front();
   way.push_back(insertion.at);
-  layer.lines.push_back(polyline(std::move(way), false, {in.theme.candidate, 2.2f, Dash::solid, false}));
+  layer.lines.push_back(polyline(std::move(way), false, walkLine(in.theme)));
   layer.marks.push_back(oneMark(first, Shape::square, 7.0f, in.theme.candidate, in.theme.background));
 }
 
@@ -89,7 +89,7 @@ void addCavity(const SceneInput& in, Layer& layer) {
       layer.circles.push_back({circle.centre, std::sqrt(circle.squaredRadius), 0.0f, cavityCircle(in.theme)});
   }
   LineBatch rim;
-  rim.style = {in.theme.created, 2.2f, Dash::solid, false};
+  rim.style = rimLine(in.theme);
   for (const std::int32_t half : cavity.rim) {
     const auto first = static_cast<std::uint32_t>(rim.points.size());
     rim.points.push_back(pointOf(mesh, startOf(mesh, half)));
@@ -101,6 +101,15 @@ void addCavity(const SceneInput& in, Layer& layer) {
 
 }  // namespace
 
+bool measuresCircumcircle(const Insertion& insertion) {
+  return insertion.candidate >= 0 && insertion.event.rule != Rule::step5;
+}
+
+LineStyle splitLine(const Theme& theme) { return {theme.candidate, 2.6f, Dash::solid, false}; }
+LineStyle measuredLine(const Theme& theme) { return {theme.candidate, 1.6f, Dash::solid, false}; }
+LineStyle limitCircle(const Theme& theme) { return {theme.refused, 1.6f, Dash::dashed, false}; }
+LineStyle walkLine(const Theme& theme) { return {theme.candidate, 2.2f, Dash::solid, false}; }
+LineStyle rimLine(const Theme& theme) { return {theme.created, 2.2f, Dash::solid, false}; }
 LineStyle cavityCircle(const Theme& theme) { return {faded(theme.removed, 0.8), 1.3f, Dash::dotted, false}; }
 
 void buildInsertion(const SceneInput& in, Layer& layer) {

@@ -52,8 +52,16 @@ std::array<SourceStyle, kSourceCount> sourceStyles(const Theme& theme);
 /// Styles of the three circles of Figure 4.
 LineStyle worstStyle(const Theme& theme, int which);  // 0 aspect, 1 area ratio, 2 edge ratio
 
-/// Of the circumcircles of a cavity's triangles.
+/// Whether what an insertion measured is the circumradius of its candidate.
+bool measuresCircumcircle(const Insertion& insertion);
+/// What the phases of an insertion are drawn with, and the legend's entries of them: the boundary edge to be split,
+/// what was measured, its limit, the walk, the circumcircles of the cavity's triangles, and its rim.
+LineStyle splitLine(const Theme& theme);
+LineStyle measuredLine(const Theme& theme);
+LineStyle limitCircle(const Theme& theme);
+LineStyle walkLine(const Theme& theme);
 LineStyle cavityCircle(const Theme& theme);
+LineStyle rimLine(const Theme& theme);
 
 /// The measure that a fill shows: its value for every slot (dead slots: 0), and the ends of its colour scale.
 /// `good` is the value of the equilateral triangle (or a uniform mesh), `bound` the paper's limit.

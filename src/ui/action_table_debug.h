@@ -30,9 +30,8 @@ inline constexpr auto kDebugActions = std::to_array<ActionInfo>({
      Menu::debug,
      "first_violation",
      "Find the first violation",
-     "Goes to the first decision of the run that breaks a bound of the paper or a rule of validity; Esc gives the "
-     "search "
-     "up.",
+     "Goes to the first decision of the run that breaks a bound of the paper or a rule of validity; "
+     "Esc gives the search up.",
      {{{GLFW_KEY_F9, GLFW_MOD_SHIFT}}}},
     {Action::bookmark,
      Menu::debug,

@@ -49,8 +49,7 @@ void App::showFound() {
   searching_ = false;
   if (!shown_->last || !hasPlace(*shown_->last)) return;
   const Point place = shown_->last->at;
-  const Box seen = visibleBox(ui_.camera);
-  if (place.x >= seen.lo.x && place.x <= seen.hi.x && place.y >= seen.lo.y && place.y <= seen.hi.y) return;
+  if (shows(ui_.camera, {place, place})) return;
   ui_.camera.centre = place;
   fitted_ = false;
 }

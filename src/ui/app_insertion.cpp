@@ -49,10 +49,6 @@ Box extentOf(const Insertion& insertion, const Mesh& mesh) {
   return box;
 }
 
-bool inside(const Box& inner, const Box& outer) {
-  return inner.lo.x >= outer.lo.x && inner.lo.y >= outer.lo.y && inner.hi.x <= outer.hi.x && inner.hi.y <= outer.hi.y;
-}
-
 double sizeOf(const Box& box) { return std::max(box.width(), box.height()); }
 
 /// `focus` at its share of the picture, or less where all of `extent` is to be seen with it; never below `least`
@@ -142,7 +138,7 @@ void App::goNear(const Insertion& insertion) {
   const Box& focus = circles.empty() ? extent : circles;
   if (sizeOf(focus) <= 0.0) return;
   const double least = std::min(kLeast * ui_.scale(), kLeastShare * std::min(ui_.camera.width, ui_.camera.height));
-  if (sizeOf(focus) * ui_.camera.scale >= least && inside(extent, visibleBox(ui_.camera))) return;
+  if (sizeOf(focus) * ui_.camera.scale >= least && shows(ui_.camera, extent)) return;
   const bool moved = !near_ || !near_->isAt(ui_.camera);
   if (moved) near_ = Near{ui_.camera, fitted_, {}};
   ui_.camera = near_->camera = cameraOn(ui_.camera, focus, extent, least);

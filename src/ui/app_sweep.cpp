@@ -22,17 +22,18 @@ std::shared_ptr<const MeshState> startOf(const Session& session) {
   return nullptr;
 }
 
+/// `settings` with the ω and θ of a cell.
+Settings withPairOf(const SweepTable& table, std::size_t cell, Settings settings) {
+  settings.omega = table.omegas[cell / table.thetas.size()];
+  settings.theta = table.thetas[cell % table.thetas.size()];
+  return settings;
+}
+
 }  // namespace
 
 std::vector<double> sweptValues(SweepRange range) {
   if (range.from == range.to) range.count = 1;
   return valuesOf(range);
-}
-
-Settings withPairOf(const SweepTable& table, std::size_t cell, Settings settings) {
-  settings.omega = table.omegas[cell / table.thetas.size()];
-  settings.theta = table.thetas[cell % table.thetas.size()];
-  return settings;
 }
 
 std::size_t nearestCell(const SweepTable& table, const Settings& settings) {

@@ -31,8 +31,6 @@ struct SweepUi {
   [[nodiscard]] const std::optional<SweepTable>& shown() const { return making ? making : table; }
 };
 
-/// `settings` with the ω and θ of a cell.
-Settings withPairOf(const SweepTable& table, std::size_t cell, Settings settings);
 /// The cell of a pair, or the nearest one.
 std::size_t nearestCell(const SweepTable& table, const Settings& settings);
 
