@@ -9,6 +9,7 @@
 #include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "core/debug/bound_text.h"
+#include "core/debug/undercut_text.h"
 #include "core/io/atomic_file.h"
 #include "core/io/report.h"
 #include "core/quality/bound_figure.h"
@@ -38,6 +39,8 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
   if (state.stage < Stage::refine) return;
   for (const WorstMeasure& worst : worstOf(quality))
     if (!worst.met()) fmt::print(stderr, "note: {}\n", unmetText(state.mesh, quality, worst));
+  if (const std::string undercut = undercutText(state, quality); !undercut.empty())
+    fmt::print(stderr, "note: {}\n", undercut);
 }
 
 /// Everything that was asked for. Of a run that failed only the report and the events are written: they say why.

@@ -113,6 +113,31 @@ class Bounds(program.ProgramTest):
         self.assertRegex(text, r"min_angle_deg +1[34]\S* +> 30 +not met +triangle .*at the input angle of 14.0° at")
 
 
+class Undercut(program.ProgramTest):
+    """An edge below the smallest length that was given is named, with what it lies on."""
+
+    OUTER = [[0, 0], [4, 0], [4, 3], [0.05, 3], [0, 2.95]]  # its last corner is cut off by an edge of 0.07
+
+    def error(self, **domain):
+        path = self.write("d.json", json.dumps({"outer": self.OUTER, **domain}))
+        return self.expect(OK, run("mesh", path, "--report", self.path("r.json"))).stderr
+
+    def test_a_shorter_kept_edge_is_named(self):
+        self.assertRegex(self.error(min_edge_length=0.08),
+                         r"note: the shortest edge, 0\.07071 at \(0\.025, 2\.975\), is below the min_edge_length given, "
+                         r"0\.08: it is a piece of 'outer'")
+
+    def test_so_is_one_beside_it(self):
+        self.assertRegex(self.error(min_edge_length=0.5), r"note: the shortest edge, 0\.\d+ at .* given, 0\.5: it is near ")
+
+    def test_nothing_is_said_where_none_is_shorter(self):
+        self.assertNotIn("note: the shortest edge", self.error(min_edge_length=0.07))
+        self.assertGreaterEqual(json.loads((self.folder / "r.json").read_text())["min_edge_length"], 0.07)
+
+    def test_nothing_is_said_of_a_derived_length(self):
+        self.assertNotIn("note: the shortest edge", self.error())
+
+
 class Until(program.ProgramTest):
     def test_every_stage_can_be_the_last(self):
         seen = []
