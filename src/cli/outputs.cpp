@@ -51,7 +51,8 @@ Status probeOutputs(const std::vector<std::string>& paths) {
 
 Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2) {
   const bool anyMesh = std::any_of(paths.begin(), paths.end(), isMeshPath);
-  const MeshFile mesh = anyMesh ? exportMesh(state) : MeshFile{};
+  const bool anyFields = std::any_of(paths.begin(), paths.end(), holdsFields);
+  const MeshFile mesh = anyMesh ? exportMesh(state, anyFields ? Fields::yes : Fields::no) : MeshFile{};
   for (const std::string& path : paths) {
     const Status written =
         isFigurePath(path)

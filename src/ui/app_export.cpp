@@ -27,7 +27,7 @@ Status writeAs(const ExportFormat& format, const std::string& path, const MeshSt
     case ExportFormat::Content::sweep:
       return writeWhole(path, csvOf(rows));
   }
-  return writeMesh(path, exportMesh(state));
+  return writeMesh(path, exportMesh(state, holdsFields(path) ? Fields::yes : Fields::no));
 }
 
 }  // namespace

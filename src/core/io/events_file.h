@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/event.h"
+#include "core/io/append_text.h"
 #include "core/io/atomic_file.h"
 #include "core/result.h"
 
@@ -28,7 +29,7 @@ class EventsFile {
 
   AtomicFile file_;
   std::uint64_t count_ = 0;
-  std::string buffer_;
+  TextBuffer buffer_;
 };
 
 }  // namespace triscope

@@ -1,11 +1,9 @@
 // Where writers put their text: collected in memory, handed on in blocks, so that a large mesh needs no large buffer.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <optional>
 
+#include "core/io/append_text.h"
 #include "core/io/atomic_file.h"
 #include "core/result.h"
 
@@ -15,12 +13,13 @@ class TextSink {
  public:
   TextSink(AtomicFile& file, bool (*cancelled)()) : file_(file), cancelled_(cancelled) {}
 
-  template <class... Args>
-  void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
+  /// `format` is FMT_COMPILE("…").
+  template <class Format, class... Args>
+  void print(const Format& format, const Args&... args) {
+    triscope::print(buffer_, format, args...);
     if (buffer_.size() >= kBlock) flush();
   }
-  /// Hands on what is left. The first thing that went wrong, if anything did.
+  /// Hands on what has been collected. The first thing that went wrong, if anything did.
   Status finish() {
     flush();
     return failure_ ? Status(*failure_) : success();
@@ -42,7 +41,7 @@ class TextSink {
 
   AtomicFile& file_;
   bool (*cancelled_)();
-  fmt::memory_buffer buffer_;
+  TextBuffer buffer_;
   std::optional<Error> failure_;
 };
 

@@ -45,6 +45,11 @@ std::string meshFormatsWritten() {
 
 bool isMeshPath(const std::string& path) { return formatOf(path) != nullptr; }
 
+bool holdsFields(const std::string& path) {
+  const std::vector<Part>* const parts = formatOf(path);
+  return parts != nullptr && parts->front().write == writeVtu;
+}
+
 Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteOptions& options) {
   const std::vector<Part>* parts = formatOf(path);
   if (parts == nullptr) {

@@ -18,6 +18,9 @@ struct MeshWriteOptions {
 /// of the set is touched (but for a disk that fails between two renames).
 Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteOptions& options = {});
 
+/// Whether the format of this name holds MeshFile::fields.
+bool holdsFields(const std::string& path);
+
 /// ".msh, .vtu, …" for messages and help.
 std::string meshFormatsWritten();
 bool isMeshPath(const std::string& path);
