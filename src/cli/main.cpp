@@ -7,6 +7,7 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "core/io/stop.h"
 
 namespace triscope {
 
@@ -43,6 +44,7 @@ ExitCode defect(const char* what) {
 
 int main(int argc, char** argv) {
   using namespace triscope;
+  endOnSignals();
   try {
     return static_cast<int>(runProgram(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/atomic_file.h"
+#include "core/io/output_set.h"
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
 #include "render/figure.h"

@@ -131,10 +131,10 @@ std::string eventLine(const Event& event, std::uint64_t number) {
   return {line.data(), line.size()};
 }
 
-Result<EventsFile> EventsFile::create(const std::string& path) {
-  auto file = AtomicFile::create(path);
+Result<EventsFile> EventsFile::create(const std::string& path, OutputSet& set) {
+  const Result<AtomicFile*> file = set.open(path);
   if (!file) return file.error();
-  return EventsFile(std::move(*file));
+  return EventsFile(**file);
 }
 
 Status EventsFile::append(std::span<const Event> events) {
@@ -143,17 +143,15 @@ Status EventsFile::append(std::span<const Event> events) {
     appendEvent(buffer_, event, count_++);
     buffer_.push_back('\n');
     if (buffer_.size() < kBlock) continue;
-    const Status written = file_.write({buffer_.data(), buffer_.size()});
-    buffer_.clear();
-    if (!written) return written;
+    if (const Status written = finish(); !written) return written;
   }
   return success();
 }
 
 Status EventsFile::finish() {
-  const Status written = file_.write({buffer_.data(), buffer_.size()});
+  const Status written = file_->write({buffer_.data(), buffer_.size()});
   buffer_.clear();
-  return written ? file_.commit() : written;
+  return written;
 }
 
 }  // namespace triscope

@@ -11,7 +11,7 @@ namespace triscope {
 
 class TextSink {
  public:
-  TextSink(AtomicFile& file, bool (*cancelled)()) : file_(file), cancelled_(cancelled) {}
+  explicit TextSink(AtomicFile& file) : file_(file) {}
 
   /// `format` is FMT_COMPILE("…").
   template <class Format, class... Args>
@@ -29,10 +29,6 @@ class TextSink {
   static constexpr std::size_t kBlock = 1u << 16;
 
   void flush() {
-    if (!failure_ && cancelled_ != nullptr && cancelled_()) {
-      failure_ =
-          Error{.code = ExitCode::cancelled, .message = "writing was cancelled", .hint = {}, .file = {}, .loop = {}};
-    }
     if (!failure_) {
       if (Status written = file_.write({buffer_.data(), buffer_.size()}); !written) failure_ = written.error();
     }
@@ -40,7 +36,6 @@ class TextSink {
   }
 
   AtomicFile& file_;
-  bool (*cancelled_)();
   TextBuffer buffer_;
   std::optional<Error> failure_;
 };
