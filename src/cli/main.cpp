@@ -6,6 +6,7 @@
 #include <new>
 
 #include "cli/arguments.h"
+#include "cli/command_files.h"
 #include "cli/commands.h"
 #include "core/io/stop.h"
 
@@ -24,7 +25,13 @@ ExitCode runProgram(int argc, const char* const* argv) {
   if (const ExitCode* const stop = std::get_if<ExitCode>(&parsed))
     code = *stop;
   else
-    code = std::visit([](const auto& options) { return runCommand(options); }, std::get<Options>(parsed));
+    code = std::visit(
+        [](const auto& options) {
+          const CommandFiles files = filesOf(options);
+          const Status apart = checkOverwrites(files.inputs, files.outputs);
+          return apart.ok() ? runCommand(options) : fail(apart.error());
+        },
+        std::get<Options>(parsed));
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return fail(Error{.code = ExitCode::cannot_write,
                       .message = "cannot write to the standard output",

@@ -1,4 +1,4 @@
-"""Files of users: all new or all old, and no signal leaves half of one."""
+"""Files of users: never overwritten by mistake, all new or all old, and no signal leaves half of one."""
 
 import json
 import os
@@ -11,9 +11,76 @@ import tempfile
 import time
 
 import program
-from program import (CANCELLED, CANNOT_WRITE, LONG_RUN, OK, STEP, TERMINATED, run)
+from program import (CANCELLED, CANNOT_WRITE, LONG_RUN, OK, STEP, TERMINATED, USAGE, run)
 
 RANGES = ["--omega", "0.1", "--theta", "7"]
+
+
+class Overwrites(program.ProgramTest):
+    """No output is an input or another output, whatever it is called; nothing is read or made before that is known."""
+
+    def setUp(self):
+        super().setUp()
+        self.text = pathlib.Path(STEP).read_text(encoding="utf-8")
+        for name in ("b.json", "b.svg", "b.msh"):
+            self.write(name, self.text)
+        os.symlink("b.json", self.path("soft.json"))
+        os.link(self.path("b.json"), self.path("hard.json"))
+        os.mkdir(self.path("sub"))
+        os.symlink("sub", self.path("folder"))
+        self.before = self.files()
+
+    def refused(self, *arguments, words=("would overwrite",), env=None):
+        with self.subTest(arguments):
+            error = self.expect(USAGE, run(*arguments, timeout=30, env=env)).stderr
+            for word in words:
+                self.assertIn(word, error)
+            self.assertIn("name another file", error)
+            self.assertEqual(self.files(), self.before)
+            for name in ("b.json", "b.svg", "b.msh"):
+                self.assertEqual((self.folder / name).read_text(encoding="utf-8"), self.text)
+
+    def test_an_input(self):
+        domain = self.path("b.json")
+        x = self.path("x.msh")
+        for name in ("b.json", "soft.json", "hard.json", "sub/../b.json", "folder/../b.json"):
+            for option in ("--report", "--events"):
+                self.refused("mesh", domain, "-o", x, option, self.path(name), words=(option, "the domain"))
+            self.refused("debug", domain, "--save-session", self.path(name), words=("--save-session", "the domain"))
+            self.refused("sweep", domain, *RANGES, "-o", self.path(name), words=("-o", "the domain"))
+            self.refused("--state-file", self.path(name), domain, words=("--state-file", "the file to open"))
+            self.refused("--preferences", self.path(name), domain, words=("--preferences", "the file to open"))
+            self.refused("--screenshot", self.path(name), domain, words=("--screenshot", "the file to open"))
+        self.refused("mesh", self.path("b.msh"), "-o", self.path("b.msh"))
+        self.refused("mesh", self.path("b.svg"), "-o", self.path("b.svg"))
+        self.refused("figure", self.path("b.svg"), "-o", self.path("b.svg"))
+
+    def test_an_input_by_a_relative_name(self):
+        process = subprocess.run([program.PROGRAM, "mesh", "b.json", "--report", self.path("b.json")],
+                                 cwd=self.folder, capture_output=True, text=True, timeout=30, check=False)
+        self.expect(USAGE, process)
+        self.assertEqual((self.folder / "b.json").read_text(encoding="utf-8"), self.text)
+
+    def test_another_output(self):
+        domain = self.path("b.json")
+        x = self.path("x.svg")
+        self.refused("mesh", domain, "-o", x, "--report", x, words=("--report", "-o"))
+        self.refused("mesh", domain, "-o", x, "--events", self.path("sub/../x.svg"))
+        self.refused("mesh", domain, "-o", x, "-o", x)
+        self.refused("mesh", domain, "-o", self.path("sub/x.msh"), "-o", self.path("folder/x.msh"))
+        self.refused("mesh", domain, "--report", x, "--events", x)
+        self.refused("mesh", domain, "-o", self.path("a.node"), "--report", self.path("a.ele"))
+        self.refused("mesh", domain, "-o", self.path("a.node"), "--events", self.path("a.poly"))
+        self.refused("figure", domain, "-o", x, "-o", x)
+        self.refused("--state-file", x, "--preferences", x)
+
+    def test_it_is_known_before_any_work(self):
+        os.mkfifo(self.path("pipe"))
+        self.before = self.files()
+        self.refused("mesh", self.path("pipe"), "-o", self.path("x.svg"), "--report", self.path("x.svg"))
+
+    def test_a_pipe_overwrites_nothing(self):
+        self.expect(OK, run("mesh", STEP, "-q", "--report", "/dev/null", "--events", "/dev/null"))
 
 
 class OneUnit(program.ProgramTest):

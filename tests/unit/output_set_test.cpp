@@ -1,4 +1,4 @@
-// Files that appear together or not at all.
+// Files that appear together or not at all, and which names are one file.
 #include "core/io/output_set.h"
 
 #include <fcntl.h>
@@ -14,6 +14,8 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+
+#include "core/io/file_identity.h"
 
 namespace triscope {
 namespace {
@@ -233,6 +235,40 @@ TEST_F(Outputs, ANameMayBeAsLongAsTheSystemHasThem) {
   ASSERT_TRUE(set.commit().ok());
   EXPECT_EQ(contents(name), "two");
   EXPECT_EQ(names(), (Names{"b", name}));
+}
+
+TEST_F(Outputs, NamesOfOneFileAreToldApartFromOthers) {
+  put("a", "a");
+  put("b", "a");
+  fs::create_symlink("a", path("soft"));
+  fs::create_hard_link(path("a"), path("hard"));
+  fs::create_directory(path("sub"));
+  fs::create_symlink("sub", path("folder"));
+  fs::create_symlink("sub/none", path("dangling"));
+  for (const char* other : {"a", "soft", "hard", "sub/../a", "folder/../a", "./a"})
+    EXPECT_TRUE(sameFile(path("a"), path(other))) << other;
+  for (const char* other : {"b", "none", "sub/a", "A"}) EXPECT_FALSE(sameFile(path("a"), path(other))) << other;
+  // Names of what is yet to be made.
+  for (const char* other : {"sub/none", "folder/none", "dangling", "sub/../sub/none"})
+    EXPECT_TRUE(sameFile(path("sub/none"), path(other))) << other;
+  for (const char* other : {"none", "sub/none2"}) EXPECT_FALSE(sameFile(path("sub/none"), path(other))) << other;
+  EXPECT_FALSE(sameFile("/dev/null", "/dev/null"));
+}
+
+TEST_F(Outputs, AnOutputMayNotBeAnInputOrAnotherOutput) {
+  put("a", "a");
+  fs::create_symlink("a", path("link"));
+  const NamedFile domain{"the domain", path("a")};
+  EXPECT_TRUE(checkOverwrites({domain, {"none", ""}}, {{"-o", path("b")}, {"--report", ""}, {"--x", ""}}).ok());
+  const Status input = checkOverwrites({domain}, {{"-o", path("b")}, {"--report", path("link")}});
+  ASSERT_FALSE(input.ok());
+  EXPECT_EQ(input.error().code, ExitCode::usage);
+  EXPECT_EQ(describe(input.error()),
+            path("link") + ": --report would overwrite the domain (" + path("a") + "); name another file");
+  const Status output = checkOverwrites({domain}, {{"-o", path("b")}, {"--report", path("b")}});
+  ASSERT_FALSE(output.ok());
+  EXPECT_EQ(describe(output.error()),
+            path("b") + ": --report would overwrite what is written by -o; name another file");
 }
 
 }  // namespace
