@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "cli/exit_codes.h"
 #include "cli/stage_names.h"
 
 namespace triscope {
@@ -218,10 +219,7 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   CLI::App app{"Triscope shows and steps through the generation of triangle meshes.", "triscope"};
   app.set_version_flag("--version", "triscope " TRISCOPE_VERSION, "Print the version and exit");
   app.require_subcommand(0, 1);
-  app.footer(
-      "Exit codes: 0 done, 1 the method could not go on (check: a bound not met or a mesh not valid), 2 wrong usage,\n"
-      "65 bad data, 66 no such input, 69 no display, 70 a defect of the program, 73 an output cannot be written,\n"
-      "130 stopped by Ctrl+C.");
+  app.footer(exitCodesHelp());
 
   WindowOptions window;
   MeshCommand mesh;

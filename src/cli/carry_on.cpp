@@ -6,7 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "core/domain/read.h"
 #include "core/pipeline.h"
@@ -14,7 +13,7 @@
 namespace triscope {
 namespace {
 
-constexpr int kSlice = 4096;  // decisions between two looks at Ctrl+C: a few milliseconds
+constexpr int kSlice = 4096;  // decisions between two times that the progress is shown: a few milliseconds
 
 }  // namespace
 
@@ -45,8 +44,6 @@ Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, b
       if (const Status written = events->append(slice); !written.ok()) return written.error();
       slice.clear();
     }
-    if (interrupted())
-      return Error{.code = ExitCode::cancelled, .message = "stopped by Ctrl+C", .hint = "nothing was written"};
     progress.show(state);
   }
   return seconds;

@@ -1,4 +1,4 @@
-// Runs the method for a command: in slices, so that progress can be shown and Ctrl+C obeyed in between.
+// Runs the method for a command: in slices, so that progress can be shown in between.
 #pragma once
 
 #include <string>
@@ -14,8 +14,7 @@ namespace triscope {
 Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet);
 
 /// Carries the state on to the end of the stage `last`, or to where the method fails (state.failed), and returns how
-/// long each stage took. Every decision goes to `events` when there is one. Ctrl+C is an error with
-/// ExitCode::cancelled.
+/// long each stage took. Every decision goes to `events` when there is one. Errors: those of writing them.
 Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, bool quiet);
 
 /// Why and where the method could not go on.

@@ -7,9 +7,9 @@
 #include "cli/answers.h"
 #include "cli/carry_on.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "core/debug/recording.h"
+#include "core/io/output_set.h"
 #include "core/session_file.h"
 
 namespace triscope {
@@ -23,10 +23,6 @@ Result<std::vector<Breakpoint>> compileAll(const std::vector<std::string>& texts
     list.push_back({std::move(*condition)});
   }
   return list;
-}
-
-Error stopped() {
-  return Error{.code = ExitCode::cancelled, .message = "stopped by Ctrl+C", .hint = "nothing was printed"};
 }
 
 /// Where to begin. Without --goto: at the start when there is something to run to, else at the end.
@@ -59,21 +55,19 @@ Error notReached(const Recording& recording) {
       .hint = fmt::format("it has {} decisions and {} events", recording.state().tick, recording.events().size())};
 }
 
-Status saveSession(const DebugCommand& options, const Recording& recording, std::vector<Breakpoint> breakpoints) {
-  Result<std::string> text = readTextFile(options.domain);
-  if (!text.ok()) return text.error();
+Status saveSession(const DebugCommand& options, const Recording& recording, std::vector<Breakpoint> breakpoints,
+                   OutputSet& files) {
   Result<MeshState> start = begin(recording.state().domain, options.settings);
   if (!start.ok()) return start.error();
   SessionFile session;
   session.domainFile = options.domain;
-  session.domainText = std::move(*text);
+  session.domainText = recording.state().domain->text;
   session.settings = options.settings;
   session.tick = recording.state().tick;
   session.breakpoints = std::move(breakpoints);
-  session.hashes =
-      stageHashes(std::move(*start), session.tick, ~std::size_t{0}, [](const MeshState&) { return !interrupted(); });
-  if (interrupted()) return stopped();
-  return writeSession(options.saveSession, session);
+  session.hashes = stageHashes(std::move(*start), session.tick, ~std::size_t{0}, nullptr);
+  if (Status written = files.write(options.saveSession, sessionText(session)); !written.ok()) return written;
+  return files.commit();
 }
 
 }  // namespace
@@ -86,29 +80,32 @@ ExitCode runCommand(const DebugCommand& options) {
     return fail(error);
   }
   if (options.firstViolation) *breakpoints = violationBreakpoints();
-  watchForInterrupt();
   Result<MeshState> start = beginFile(options.domain, options.settings, true);
   if (!start.ok()) return fail(start.error());
+
+  OutputSet files;
+  if (!options.saveSession.empty()) {
+    if (const Result<AtomicFile*> file = files.open(options.saveSession); !file.ok()) return fail(file.error());
+  }
 
   Recording recording(std::move(*start));
   ProgressLine progress(!options.quiet);
   recording.onPulse([&](const MeshState& state) {
     progress.show(state);
-    return !interrupted();
+    return true;
   });
   const bool reached = go(recording, placeOf(options));
-  if (interrupted()) return fail(stopped());
   if (!reached) return fail(notReached(recording));
 
   std::optional<Hit> hit;
   if (!breakpoints->empty()) {
     std::vector<Hit> passed;
     hit = options.back ? recording.toPreviousHit(*breakpoints) : recording.toNextHit(*breakpoints, passed);
-    if (interrupted()) return fail(stopped());
   }
   progress.clear();
   if (!options.saveSession.empty()) {
-    if (const Status saved = saveSession(options, recording, *breakpoints); !saved.ok()) return fail(saved.error());
+    if (const Status saved = saveSession(options, recording, *breakpoints, files); !saved.ok())
+      return fail(saved.error());
   }
 
   const Stop stop{recording, hit ? breakpoints->at(hit->breakpoint).condition.text() : "",

@@ -5,7 +5,6 @@
 
 #include "cli/carry_on.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/outputs.h"
 
 namespace triscope {
@@ -47,11 +46,11 @@ ViewOptions viewOf(const FigureCommand& options) {
 
 ExitCode runCommand(const FigureCommand& options) {
   if (const Status known = checkFigures(options.outputs); !known.ok()) return fail(known.error());
-  watchForInterrupt();
   Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
   if (!state.ok()) return fail(state.error());
   if (const Status inside = checkBox(options, state->domain->bounds); !inside.ok()) return fail(inside.error());
-  if (const Status writable = probeOutputs(options.outputs); !writable.ok()) return fail(writable.error());
+  OutputSet files;
+  if (const Status open = openOutputs(options.outputs, files); !open.ok()) return fail(open.error());
 
   if (const Result<StageSeconds> done = carryOn(*state, options.stage, nullptr, options.quiet); !done.ok())
     return fail(done.error());
@@ -65,9 +64,13 @@ ExitCode runCommand(const FigureCommand& options) {
   figure.title = figureTitle(*state, options.stage);
   figure.caption = figureCaption(*state, options.stage);
   for (const std::string& path : options.outputs) {
-    if (const Status written = writeFigure(path, *state, view, figure); !written.ok()) return fail(written.error());
-    if (!options.quiet) fmt::print(stderr, "wrote {}\n", path);
+    const Result<std::string> picture = figureOf(path, *state, view, figure);
+    if (!picture.ok()) return fail(picture.error());
+    if (const Status written = files.write(path, *picture); !written.ok()) return fail(written.error());
   }
+  if (const Status written = files.commit(); !written.ok()) return fail(written.error());
+  if (!options.quiet)
+    for (const std::string& path : options.outputs) fmt::print(stderr, "wrote {}\n", path);
   return ExitCode::ok;
 }
 

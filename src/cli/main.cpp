@@ -6,7 +6,9 @@
 #include <new>
 
 #include "cli/arguments.h"
+#include "cli/command_files.h"
 #include "cli/commands.h"
+#include "core/io/stop.h"
 
 namespace triscope {
 
@@ -23,7 +25,13 @@ ExitCode runProgram(int argc, const char* const* argv) {
   if (const ExitCode* const stop = std::get_if<ExitCode>(&parsed))
     code = *stop;
   else
-    code = std::visit([](const auto& options) { return runCommand(options); }, std::get<Options>(parsed));
+    code = std::visit(
+        [](const auto& options) {
+          const CommandFiles files = filesOf(options);
+          const Status apart = checkOverwrites(files.inputs, files.outputs);
+          return apart.ok() ? runCommand(options) : fail(apart.error());
+        },
+        std::get<Options>(parsed));
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     return fail(Error{.code = ExitCode::cannot_write,
                       .message = "cannot write to the standard output",
@@ -43,6 +51,7 @@ ExitCode defect(const char* what) {
 
 int main(int argc, char** argv) {
   using namespace triscope;
+  endOnSignals();
   try {
     return static_cast<int>(runProgram(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -6,11 +6,10 @@
 
 #include "cli/carry_on.h"
 #include "cli/commands.h"
-#include "cli/interrupt.h"
 #include "cli/outputs.h"
 #include "core/debug/bound_text.h"
 #include "core/debug/undercut_text.h"
-#include "core/io/atomic_file.h"
+#include "core/io/output_set.h"
 #include "core/io/report.h"
 #include "core/quality/bound_figure.h"
 #include "core/quality/quality.h"
@@ -45,31 +44,37 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
 
 /// Everything that was asked for. Of a run that failed only the report and the events are written: they say why.
 Status writeAll(const MeshCommand& options, const MeshState& state, const Quality& quality, const StageSeconds& seconds,
-                std::optional<EventsFile>& events) {
-  if (!state.failed) {
-    if (Status written = writeOutputs(options.outputs, state, options.until, options.msh2); !written.ok())
-      return written;
+                std::optional<EventsFile>& events, OutputSet& files) {
+  if (state.failed) {
+    for (const std::string& path : options.outputs)
+      for (const std::string& name : filesOf(path)) files.leaveOut(name);
+  } else if (Status written = writeOutputs(options.outputs, state, options.until, options.msh2, files); !written.ok()) {
+    return written;
   }
   if (!options.report.empty()) {
-    if (Status written = writeWhole(options.report, reportOf(state, quality, seconds)); !written.ok()) return written;
+    const std::string report = reportOf(state, quality, seconds);
+    if (Status written = files.write(options.report, report); !written.ok()) return written;
   }
-  return events ? events->finish() : success();
+  if (events) {
+    if (Status written = events->finish(); !written.ok()) return written;
+  }
+  return files.commit();
 }
 
 }  // namespace
 
 ExitCode runCommand(const MeshCommand& options) {
   if (const Status known = checkOutputs(options.outputs, options.until); !known.ok()) return fail(known.error());
-  watchForInterrupt();
   if (!options.quiet) warnOfUnusualSettings(options.settings);
   Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
   if (!state.ok()) return fail(state.error());
   std::vector<std::string> paths = options.outputs;
   if (!options.report.empty()) paths.push_back(options.report);
-  if (const Status writable = probeOutputs(paths); !writable.ok()) return fail(writable.error());
+  OutputSet files;
+  if (const Status open = openOutputs(paths, files); !open.ok()) return fail(open.error());
   std::optional<EventsFile> events;
   if (!options.events.empty()) {
-    Result<EventsFile> file = EventsFile::create(options.events);
+    Result<EventsFile> file = EventsFile::create(options.events, files);
     if (!file.ok()) return fail(file.error());
     events = std::move(*file);
     paths.push_back(options.events);
@@ -78,7 +83,7 @@ ExitCode runCommand(const MeshCommand& options) {
   const Result<StageSeconds> seconds = carryOn(*state, options.until, events ? &*events : nullptr, options.quiet);
   if (!seconds.ok()) return fail(seconds.error());
   const Quality quality = measure(state->mesh);
-  if (const Status written = writeAll(options, *state, quality, *seconds, events); !written.ok())
+  if (const Status written = writeAll(options, *state, quality, *seconds, events, files); !written.ok())
     return fail(written.error());
   if (state->failed) return fail(failureOf(*state));
   if (!options.quiet) {

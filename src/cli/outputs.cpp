@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/interrupt.h"
-#include "core/io/atomic_file.h"
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
 #include "core/pipeline.h"
@@ -40,25 +38,33 @@ Status checkOutputs(const std::vector<std::string>& paths, Stage last) {
   return success();
 }
 
-Status probeOutputs(const std::vector<std::string>& paths) {
+std::vector<std::string> filesOf(const std::string& path) {
+  return isMeshPath(path) ? meshFilesOf(path) : std::vector<std::string>{path};
+}
+
+Status openOutputs(const std::vector<std::string>& paths, OutputSet& set) {
   for (const std::string& path : paths) {
-    if (path.empty()) continue;
-    const Result<AtomicFile> file = AtomicFile::create(path);  // gone again at the end of this line's scope
-    if (!file.ok()) return file.error();
+    for (const std::string& name : filesOf(path))
+      if (const Result<AtomicFile*> file = set.open(name); !file.ok()) return file.error();
   }
   return success();
 }
 
-Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2) {
+Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2,
+                    OutputSet& set) {
   const bool anyMesh = std::any_of(paths.begin(), paths.end(), isMeshPath);
-  const MeshFile mesh = anyMesh ? exportMesh(state) : MeshFile{};
+  const bool anyFields = std::any_of(paths.begin(), paths.end(), holdsFields);
+  const MeshFile mesh = anyMesh ? exportMesh(state, anyFields ? Fields::yes : Fields::no) : MeshFile{};
   for (const std::string& path : paths) {
-    const Status written =
-        isFigurePath(path)
-            ? writeFigure(path, state, figureView(last),
-                          {.title = figureTitle(state, last), .caption = figureCaption(state, last), .region = {}})
-            : writeMesh(path, mesh, {.msh2 = msh2, .cancelled = interrupted});
-    if (!written.ok()) return written;
+    if (isMeshPath(path)) {
+      if (const Status written = writeMesh(path, mesh, {.msh2 = msh2}, set); !written.ok()) return written;
+      continue;
+    }
+    const Result<std::string> picture =
+        figureOf(path, state, figureView(last),
+                 {.title = figureTitle(state, last), .caption = figureCaption(state, last), .region = {}});
+    if (!picture.ok()) return picture.error();
+    if (const Status written = set.write(path, *picture); !written.ok()) return written;
   }
   return success();
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/output_set.h"
 #include "core/result.h"
 #include "core/stage.h"
 #include "core/state.h"
@@ -16,9 +17,12 @@ bool isFigurePath(const std::string& path);
 
 /// Refuses an extension that is not known, and a mesh file of a run that ends at `last`, before there is a mesh.
 Status checkOutputs(const std::vector<std::string>& paths, Stage last);
-/// Refuses a path that cannot be written, before a long run rather than after it. Touches nothing.
-Status probeOutputs(const std::vector<std::string>& paths);
+/// Opens all that these names stand for, before a long run rather than after it.
+Status openOutputs(const std::vector<std::string>& paths, OutputSet& set);
 /// Writes the mesh of the state in the format of each path.
-Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2);
+Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2,
+                    OutputSet& set);
+/// The files that a name stands for: one, or those of a format of several.
+std::vector<std::string> filesOf(const std::string& path);
 
 }  // namespace triscope

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/stop.h"
 #include "core/pipeline.h"
 
 namespace triscope {
@@ -35,6 +36,7 @@ bool ProgressLine::due() {
   if (!terminal_ || now - last_ < kInterval) return false;
   last_ = now;
   shown_ = true;
+  noteProgressShown(true);
   return true;
 }
 
@@ -62,6 +64,7 @@ void ProgressLine::show(const MeshState& state) {
 void ProgressLine::clear() {
   if (!shown_) return;
   shown_ = false;
+  noteProgressShown(false);
   fmt::print(stderr, "\r\x1b[K");
   std::fflush(stderr);
 }

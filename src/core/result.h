@@ -10,7 +10,7 @@
 
 namespace triscope {
 
-/// Exit codes of the program (sysexits where they fit).
+/// Exit codes of the program (sysexits where they fit). What ends it by a signal is in core/io/stop.h.
 enum class ExitCode : int {
   ok = 0,
   unmet = 1,          // a bound is not met, or a mesh is not valid

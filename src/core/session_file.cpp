@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "core/domain/json_value.h"
-#include "core/io/atomic_file.h"
 #include "core/io/json_text.h"
+#include "core/io/output_set.h"
 #include "core/pipeline.h"
 
 namespace triscope {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/io/atomic_file.h"
+#include "core/io/output_set.h"
 #include "core/number.h"
 #include "core/pipeline.h"
 #include "render/boundary_points.h"
@@ -124,8 +124,8 @@ std::string figureCaption(const MeshState& state, Stage stage) {
                             compact(q.areaRatioMax), compact(q.edgeRatioMax));
 }
 
-Status writeFigure(const std::string& path, const MeshState& state, const ViewOptions& view,
-                   const FigureOptions& options) {
+Result<std::string> figureOf(const std::string& path, const MeshState& state, const ViewOptions& view,
+                             const FigureOptions& options) {
   const Format format = formatOf(path);
   if (format == Format::unknown) {
     return usage(path, "the name of a figure must end in .svg or .png", "choose one of them");
@@ -147,10 +147,14 @@ Status writeFigure(const std::string& path, const MeshState& state, const ViewOp
   const double aspect = box.width() > 0.0 && box.height() > 0.0 ? box.width() / box.height() : 1.0;
   const PictureLayout layout = layoutWithin(options.width, options.height, aspect, scene, picture);
   const Camera camera = fitted(box, layout.plot.width, layout.plot.height, margin);
-  if (format == Format::svg) return writeWhole(path, svg(scene, camera, layout, picture));
-  const Result<std::string> png = encodePng(rasterize(scene, camera, layout, picture));
-  if (!png.ok()) return png.error();
-  return writeWhole(path, *png);
+  if (format == Format::svg) return svg(scene, camera, layout, picture);
+  return encodePng(rasterize(scene, camera, layout, picture));
+}
+
+Status writeFigure(const std::string& path, const MeshState& state, const ViewOptions& view,
+                   const FigureOptions& options) {
+  const Result<std::string> picture = figureOf(path, state, view, options);
+  return picture.ok() ? writeWhole(path, *picture) : picture.error();
 }
 
 }  // namespace triscope

@@ -28,8 +28,11 @@ ViewOptions figureView(Stage stage);
 std::string figureTitle(const MeshState& state, Stage stage);
 std::string figureCaption(const MeshState& state, Stage stage);
 
-/// Draws the state into a file whose name ends in .svg or .png; written whole or not at all.
-/// Errors: usage (another ending, an impossible size), cannot_write.
+/// The bytes of a picture of the state, as SVG or PNG by the ending of `path`.
+/// Errors: usage (another ending, an impossible size).
+Result<std::string> figureOf(const std::string& path, const MeshState& state, const ViewOptions& view,
+                             const FigureOptions& options);
+/// Draws it into a file of that name; written whole or not at all. Errors: also cannot_write.
 Status writeFigure(const std::string& path, const MeshState& state, const ViewOptions& view,
                    const FigureOptions& options);
 

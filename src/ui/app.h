@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/file_identity.h"
 #include "render/gl_renderer.h"
 #include "ui/background_job.h"
 #include "ui/dialogs.h"
@@ -188,6 +189,8 @@ class App {
   [[nodiscard]] Draft draft() const;
   void followDocument();
   void closeDocument();
+  /// The file that no export and no session may overwrite.
+  [[nodiscard]] NamedFile openDomain() const;
   void saveTo(const std::string& path);
   void finishSave();
   void restore();

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/atomic_file.h"
 #include "core/io/export.h"
+#include "core/io/file_identity.h"
+#include "core/io/output_set.h"
 #include "core/io/write_mesh.h"
 #include "render/figure.h"
 #include "ui/app.h"
@@ -27,7 +28,7 @@ Status writeAs(const ExportFormat& format, const std::string& path, const MeshSt
     case ExportFormat::Content::sweep:
       return writeWhole(path, csvOf(rows));
   }
-  return writeMesh(path, exportMesh(state));
+  return writeMesh(path, exportMesh(state, holdsFields(path) ? Fields::yes : Fields::no));
 }
 
 }  // namespace
@@ -53,6 +54,13 @@ void App::exportTo(const std::string& path) {
   const SnapshotPtr now = session_.current();
   const ExportFormat* const format = exportFormatOf(path);  // there is one: the dialog takes no other name
   if (now == nullptr || format == nullptr) return;
+  // The domain itself may replace the file that it came from: the dialog has said that there is one.
+  std::vector<NamedFile> inputs{{"the session that is open", ui_.document.path}};
+  if (format->content != ExportFormat::Content::domain) inputs.push_back(openDomain());
+  std::vector<NamedFile> outputs{{"the export", path}};
+  for (const std::string& file : meshFilesOf(path))
+    if (file != path) outputs.push_back({"the export as " + path, file});
+  if (const Status apart = checkOverwrites(inputs, outputs); !apart) return complain(apart.error());
   ui_.exporting = true;
   exportPath_ = path;
   ui_.message = "Writing " + path + " …";

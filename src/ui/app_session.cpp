@@ -112,8 +112,14 @@ void App::followDocument() {
     ui_.message = "Work cannot be kept automatically: " + describe(*error);
 }
 
+NamedFile App::openDomain() const {
+  return {"the domain that is open", shownDomain_ ? shownDomain_->file : std::string()};
+}
+
 void App::saveTo(const std::string& path) {
   if (save_.running() || !draft_) return;
+  if (const Status apart = checkOverwrites({openDomain()}, {{"the session", path}}); !apart)
+    return complain(apart.error());
   saving_ = draft_;
   savePath_ = path;
   ui_.document.saving = true;

@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "core/io/atomic_file.h"
 #include "core/io/json_text.h"
+#include "core/io/output_set.h"
 #include "core/pipeline.h"
 #include "ui/pinned_run.h"
 
@@ -343,7 +343,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
 void StateFile::update(const std::string& text, std::uint64_t frame) {
   if (!wanted() || text == last_) return;
   last_ = text;
-  (void)writeWhole(path_, fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame));
+  (void)writeWhole(path_, fmt::format("{},\n\"frame\": {}}}\n", text.substr(0, text.size() - 1), frame), Flush::no);
 }
 
 }  // namespace triscope

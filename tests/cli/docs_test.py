@@ -98,6 +98,20 @@ class Readme(InFolder):
         self.assertEqual(seen, {"mesh", "check", "figure", "debug", "sweep", "replay", "settings"})
         self.assertTrue((self.folder / "plate.msh").exists())
 
+    def test_exit_codes(self):
+        """README, --help and the program agree on what there is, and README begins with the words of --help."""
+        text = (SOURCE / "README.md").read_text(encoding="utf-8")
+        table = {int(code): words for code, words in re.findall(r"^\| (\d+) \| (.*) \|$", text, re.MULTILINE)}
+        footer = self.expect(OK, run("--help")).stdout.partition("Exit codes:\n")[2]
+        said = {int(code): words for code, words in re.findall(r"^ *(\d+) +(.*?) *$", footer, re.MULTILINE)}
+        self.assertEqual(list(table), list(said))
+        for code, words in said.items():
+            self.assertTrue(table[code].startswith(words), f"{code}: {words}")
+        header = (SOURCE / "src" / "core" / "result.h").read_text(encoding="utf-8")
+        codes = re.findall(r"^  \w+ = (\d+),", header.partition("enum class ExitCode")[2], re.MULTILINE)
+        self.assertLessEqual({int(code) for code in codes}, set(said))
+        self.assertGreater(len(codes), 8)
+
 
 if __name__ == "__main__":
     program.main()

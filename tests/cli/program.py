@@ -12,7 +12,7 @@ DOMAINS = SOURCE / "assets" / "domains"
 STEP = str(DOMAINS / "step.json")
 BLUNT_BODY = str(DOMAINS / "blunt_body.json")
 
-OK, UNMET, USAGE, BAD_DATA, NO_INPUT, CANNOT_WRITE, CANCELLED = 0, 1, 2, 65, 66, 73, 130
+OK, UNMET, USAGE, BAD_DATA, NO_INPUT, CANNOT_WRITE, CANCELLED, TERMINATED = 0, 1, 2, 65, 66, 73, 130, 143
 
 # Takes the program seconds to mesh: there is time to press Ctrl+C.
 LONG_RUN = ["--set", "min_edge_length=0.00002"]

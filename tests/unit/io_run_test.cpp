@@ -236,14 +236,16 @@ TEST(Events, FileAppearsWhenItIsComplete) {
   ASSERT_GT(events.size(), 100u);
   const auto path = std::filesystem::temp_directory_path() / "triscope-events-test.jsonl";
   std::filesystem::remove(path);
-  auto file = EventsFile::create(path.string());
+  OutputSet set;
+  auto file = EventsFile::create(path.string(), set);
   ASSERT_TRUE(file.ok());
   const std::span<const Event> all(events);
   ASSERT_TRUE(file->append(all.first(50)).ok());
   ASSERT_TRUE(file->append(all.subspan(50)).ok());
   EXPECT_EQ(file->count(), events.size());
-  EXPECT_FALSE(std::filesystem::exists(path));
   ASSERT_TRUE(file->finish().ok());
+  EXPECT_FALSE(std::filesystem::exists(path));
+  ASSERT_TRUE(set.commit().ok());
 
   std::ifstream in(path);
   std::string line;

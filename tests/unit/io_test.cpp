@@ -6,7 +6,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/io/atomic_file.h"
 #include "core/io/mesh_from.h"
 #include "core/io/read_mesh.h"
 #include "core/io/write_mesh.h"
@@ -164,15 +163,6 @@ TEST_F(MeshFiles, AnUnknownExtensionNamesTheKnownOnes) {
   EXPECT_EQ(filesLeft(), 0u);
 }
 
-TEST_F(MeshFiles, CancellingLeavesTheOldFileAndNothingElse) {
-  put(path("a.node"), "old");
-  const Status written = writeMesh(path("a.node"), ring(), {.cancelled = [] { return true; }});
-  ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, ExitCode::cancelled);
-  EXPECT_EQ(contents(path("a.node")), "old");
-  EXPECT_EQ(filesLeft(), 1u);
-}
-
 TEST_F(MeshFiles, AllFilesOfAFormatOrNone) {
   put(path("a.node"), "old");
   fs::create_directory(path("a.poly"));  // the last of the three cannot be written
@@ -191,48 +181,6 @@ TEST_F(MeshFiles, AFolderThatIsMissingIsSaid) {
   EXPECT_NE(written.error().hint.find("does not exist"), std::string::npos);
   EXPECT_EQ(readMesh(path("none/a.msh")).error().code, ExitCode::no_input);
   EXPECT_EQ(readMesh(folder_.string() + "/.msh").error().code, ExitCode::usage);
-}
-
-TEST_F(MeshFiles, ATemporaryFileVanishesUnlessCommitted) {
-  {
-    auto file = AtomicFile::create(path("x"));
-    ASSERT_TRUE(file.ok());
-    ASSERT_TRUE(file->write("half").ok());
-    EXPECT_EQ(filesLeft(), 1u);
-    AtomicFile moved = std::move(*file);
-    EXPECT_EQ(filesLeft(), 1u);
-  }
-  EXPECT_EQ(filesLeft(), 0u);
-  auto file = AtomicFile::create(path("x"));
-  ASSERT_TRUE(file->write("whole").ok());
-  EXPECT_FALSE(fs::exists(path("x")));
-  ASSERT_TRUE(file->commit().ok());
-  EXPECT_EQ(contents(path("x")), "whole");
-  EXPECT_EQ(filesLeft(), 1u);
-}
-
-TEST_F(MeshFiles, ALinkStaysALink) {
-  put(path("real"), "old");
-  fs::create_symlink("real", path("link"));
-  auto file = AtomicFile::create(path("link"));
-  ASSERT_TRUE(file->write("new").ok());
-  ASSERT_TRUE(file->commit().ok());
-  EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(contents(path("real")), "new");
-}
-
-TEST_F(MeshFiles, WhatIsNoFileIsWrittenDirectly) {
-  auto file = AtomicFile::create("/dev/null");
-  ASSERT_TRUE(file.ok());
-  ASSERT_TRUE(file->write("gone").ok());
-  ASSERT_TRUE(file->commit().ok());
-  EXPECT_FALSE(fs::is_regular_file("/dev/null"));
-  fs::create_symlink("/dev/null", path("link"));
-  auto linked = AtomicFile::create(path("link"));
-  ASSERT_TRUE(linked.ok());
-  ASSERT_TRUE(linked->commit().ok());
-  EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(filesLeft(), 1u);
 }
 
 struct Broken {

@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import unittest
 
 import harness
@@ -138,6 +139,33 @@ class Files(harness.WindowTest):
         self.window.click("export.ok")
         state = self.window.wait(lambda s: s["dialog"] == "error", "the error")
         self.assertIn("/nowhere/at/all.msh", state["error"])
+
+    def test_the_domain_that_is_open_is_not_overwritten(self):
+        path = self.write("square.msh", SQUARE)  # a domain that has the name its mesh would get
+        self.drop(path)
+        self.window.wait(lambda s: s["domain"] == "square" and s["activity"] == "idle", "the square")
+        for key, name in (("ctrl+e", "export"), ("ctrl+shift+s", "save")):
+            self.window.key(key)
+            self.window.widget(f"{name}.path")
+            self.window.key("ctrl+a")
+            self.window.type(path)
+            self.window.click(f"{name}.ok")
+            state = self.window.wait(lambda s: s["dialog"] == "error", "the refusal")
+            self.assertIn("would overwrite the domain that is open", state["error"])
+            self.window.click("dialog.close")
+            self.window.wait(lambda s: s["dialog"] == "none", "the refusal to close")
+            with open(path, encoding="utf-8") as file:
+                self.assertEqual(json.load(file), SQUARE)
+
+    def test_signals_end_the_window(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            window = harness.Window(self.display)
+            self.addCleanup(window.close)
+            window.settled()
+            window.key("Left")  # something to write to the state file
+            window.process.send_signal(number)
+            self.assertEqual(window.process.wait(timeout=30), 128 + number)
+            self.assertEqual([name for name in os.listdir(window.folder.name) if name.endswith(".tmp")], [])
 
 
 class Arguments(unittest.TestCase):

@@ -1,8 +1,7 @@
 #include "core/io/events_file.h"
 
 #include <array>
-#include <iterator>
-#include <utility>
+#include <string_view>
 
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
@@ -59,31 +58,51 @@ std::string_view otherKey(const Event& event) {
   }
 }
 
+/// The members of one object, appended to a buffer.
 class Line {
  public:
-  explicit Line(std::uint64_t number) : text_(fmt::format("{{\"event\": {}", number)) {}
-  void number(std::string_view key, std::uint64_t value) { member(key, fmt::format("{}", value)); }
+  Line(TextBuffer& out, std::uint64_t number) : out_(out) { print(out_, FMT_COMPILE("{{\"event\": {}"), number); }
+  void number(std::string_view key, std::uint64_t value) {
+    member(key);
+    print(out_, FMT_COMPILE("{}"), value);
+  }
   void id(std::string_view key, std::uint32_t value) {
     if (!key.empty() && value != kNoId) number(key, value);
   }
-  void real(std::string_view key, double value) { member(key, jsonNumber(value)); }
-  void word(std::string_view key, std::string_view value) { member(key, jsonText(value)); }
-  void point(std::string_view key, Point p) { member(key, fmt::format("[{}, {}]", jsonNumber(p.x), jsonNumber(p.y))); }
-  std::string finish() { return std::move(text_) + "}"; }
+  void real(std::string_view key, double value) {
+    member(key);
+    appendJsonNumber(out_, value);
+  }
+  /// A name of a table, which has nothing to escape.
+  void word(std::string_view key, std::string_view value) {
+    member(key);
+    appendText(out_, "\"");
+    appendText(out_, value);
+    appendText(out_, "\"");
+  }
+  void point(std::string_view key, Point p) {
+    member(key);
+    appendText(out_, "[");
+    appendJsonNumber(out_, p.x);
+    appendText(out_, ", ");
+    appendJsonNumber(out_, p.y);
+    appendText(out_, "]");
+  }
+  void finish() { appendText(out_, "}"); }
 
  private:
-  void member(std::string_view key, std::string_view value) {
-    fmt::format_to(std::back_inserter(text_), ", \"{}\": {}", key, value);
+  void member(std::string_view key) {
+    appendText(out_, ", \"");
+    appendText(out_, key);
+    appendText(out_, "\": ");
   }
-  std::string text_;
+  TextBuffer& out_;
 };
 
-}  // namespace
-
-std::string eventLine(const Event& event, std::uint64_t number) {
+void appendEvent(TextBuffer& out, const Event& event, std::uint64_t number) {
   const bool ofStage = event.kind == EventKind::stage_begun || event.kind == EventKind::stage_finished;
   const Keys& keys = kKeys[static_cast<std::size_t>(event.kind)];
-  Line line(number);
+  Line line(out, number);
   line.word("kind", name(event.kind));
   line.word("stage", infoOf(event.stage).key);
   if (event.round > 0) line.number("round", event.round);
@@ -101,31 +120,38 @@ std::string eventLine(const Event& event, std::uint64_t number) {
   }
   if (event.kind == EventKind::vertex_moved) line.point("from", event.from);
   if (!ofStage) line.point("at", event.at);
-  return line.finish();
+  line.finish();
 }
 
-Result<EventsFile> EventsFile::create(const std::string& path) {
-  auto file = AtomicFile::create(path);
+}  // namespace
+
+std::string eventLine(const Event& event, std::uint64_t number) {
+  TextBuffer line;
+  appendEvent(line, event, number);
+  return {line.data(), line.size()};
+}
+
+Result<EventsFile> EventsFile::create(const std::string& path, OutputSet& set) {
+  const Result<AtomicFile*> file = set.open(path);
   if (!file) return file.error();
-  return EventsFile(std::move(*file));
+  return EventsFile(**file);
 }
 
 Status EventsFile::append(std::span<const Event> events) {
   constexpr std::size_t kBlock = 1u << 16;
   for (const Event& event : events) {
-    buffer_ += eventLine(event, count_++);
-    buffer_ += '\n';
+    appendEvent(buffer_, event, count_++);
+    buffer_.push_back('\n');
     if (buffer_.size() < kBlock) continue;
-    const Status written = file_.write(buffer_);
-    buffer_.clear();
-    if (!written) return written;
+    if (const Status written = finish(); !written) return written;
   }
   return success();
 }
 
 Status EventsFile::finish() {
-  const Status written = file_.write(std::exchange(buffer_, {}));
-  return written ? file_.commit() : written;
+  const Status written = file_->write({buffer_.data(), buffer_.size()});
+  buffer_.clear();
+  return written;
 }
 
 }  // namespace triscope

@@ -1,12 +1,13 @@
 // Events as JSON lines: one object a line, names instead of numbers. Written as they come, so that a run of any
-// length needs no memory for them; the file appears when it is complete.
+// length needs no memory for them.
 #pragma once
 
 #include <span>
 #include <string>
 
 #include "core/event.h"
-#include "core/io/atomic_file.h"
+#include "core/io/append_text.h"
+#include "core/io/output_set.h"
 #include "core/result.h"
 
 namespace triscope {
@@ -17,18 +18,19 @@ std::string eventLine(const Event& event, std::uint64_t number);
 
 class EventsFile {
  public:
-  static Result<EventsFile> create(const std::string& path);
+  /// One file of the set, which must outlive this.
+  static Result<EventsFile> create(const std::string& path, OutputSet& set);
   Status append(std::span<const Event> events);
-  /// The file is complete and takes its place. Without this it vanishes.
+  /// Everything appended has been written. It takes its place with the set.
   Status finish();
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:
-  explicit EventsFile(AtomicFile file) : file_(std::move(file)) {}
+  explicit EventsFile(AtomicFile& file) : file_(&file) {}
 
-  AtomicFile file_;
+  AtomicFile* file_;
   std::uint64_t count_ = 0;
-  std::string buffer_;
+  TextBuffer buffer_;
 };
 
 }  // namespace triscope

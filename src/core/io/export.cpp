@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "core/domain/loop_of.h"
+#include "core/io/edge_groups.h"
 #include "core/mesh/edit.h"
 #include "core/quality/running_quality.h"
 
@@ -15,13 +17,11 @@ bool ofTheBox(const Mesh& mesh, const Triangle& triangle) {
   return std::ranges::any_of(triangle.v, [&](std::int32_t v) { return mesh.kinds[at(v)] == VertexKind::helper; });
 }
 
-/// A point inside the closed polygon that the edges of one group form: the middle of the widest inside stretch of
-/// a horizontal line that passes no vertex.
-std::optional<Point> insideOf(const MeshFile& file, int group) {
+/// A point inside the closed polygon that these edges form: the middle of the widest inside stretch of a horizontal
+/// line that passes no vertex.
+std::optional<Point> insideOf(const MeshFile& file, std::span<const MeshFile::Edge> edges) {
   std::vector<double> levels;
-  for (const MeshFile::Edge& edge : file.edges) {
-    if (edge.group == group) levels.push_back(file.points[at(edge.a)].y);
-  }
+  for (const MeshFile::Edge& edge : edges) levels.push_back(file.points[at(edge.a)].y);
   std::sort(levels.begin(), levels.end());
   double widestGap = 0.0;
   double level = 0.0;
@@ -32,9 +32,9 @@ std::optional<Point> insideOf(const MeshFile& file, int group) {
     }
   }
   std::vector<double> crossings;
-  for (const MeshFile::Edge& edge : file.edges) {
+  for (const MeshFile::Edge& edge : edges) {
     const Point a = file.points[at(edge.a)], b = file.points[at(edge.b)];
-    if (edge.group != group || (a.y > level) == (b.y > level)) continue;
+    if ((a.y > level) == (b.y > level)) continue;
     crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
   }
   std::sort(crossings.begin(), crossings.end());
@@ -63,42 +63,56 @@ void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFil
     const auto group = static_cast<int>(&loopOf(domain, edge.curve) - domain.loops.data());
     file.edges.push_back({number[at(edge.v0)], number[at(edge.v1)], group});
   }
+  const EdgeGroups groups(file);
   for (std::size_t loop = 0; loop < domain.loops.size(); ++loop) {
     if (domain.loops[loop].role != LoopRole::hole) continue;
-    if (const auto inside = insideOf(file, static_cast<int>(loop))) file.holes.push_back(*inside);
+    if (const auto inside = insideOf(file, groups.of(loop))) file.holes.push_back(*inside);
+  }
+}
+
+/// The triangles to be written, by id. Ids are dense enough that putting each in its place beats sorting.
+std::vector<std::int32_t> slotsById(const Mesh& mesh) {
+  std::vector<std::int32_t> slots(mesh.nextId, -1);
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    const auto index = static_cast<std::int32_t>(slot);
+    if (mesh.alive(index) && !ofTheBox(mesh, mesh.triangles[slot])) slots[idOf(mesh, index)] = index;
+  }
+  std::erase(slots, -1);
+  return slots;
+}
+
+void exportFields(const Mesh& mesh, const std::vector<std::int32_t>& order, MeshFile& file) {
+  file.fields = {{"id", {}},         {"aspect", {}},    {"area_ratio", {}},
+                 {"edge_ratio", {}}, {"min_angle", {}}, {"max_angle", {}}};
+  for (MeshFile::Field& field : file.fields) field.values.reserve(order.size());
+  for (const std::int32_t slot : order) {
+    file.fields.front().values.push_back(static_cast<double>(idOf(mesh, slot)));
+    const MeasureValues values = measuresOf(mesh, slot);
+    for (std::size_t i = 0; i < values.size(); ++i) file.fields[i + 1].values.push_back(values[i]);
   }
 }
 
 }  // namespace
 
-MeshFile exportMesh(const MeshState& state) {
+MeshFile exportMesh(const MeshState& state, Fields fields) {
   const Mesh& mesh = state.mesh;
   MeshFile file;
 
-  std::vector<std::int32_t> order;
+  const std::vector<std::int32_t> order = slotsById(mesh);
   std::vector<int> number(mesh.points.size(), -1);
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const auto index = static_cast<std::int32_t>(slot);
-    if (!mesh.alive(index) || ofTheBox(mesh, mesh.triangles[slot])) continue;
-    order.push_back(index);
-    for (const std::int32_t v : mesh.triangles[slot].v) number[at(v)] = 0;
-  }
-  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return idOf(mesh, a) < idOf(mesh, b); });
+  for (const std::int32_t slot : order)
+    for (const std::int32_t v : triangleAt(mesh, slot).v) number[at(v)] = 0;
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] < 0) continue;
     number[v] = static_cast<int>(file.points.size());
     file.points.push_back(mesh.points[v]);
   }
-
-  file.fields = {{"id", {}},         {"aspect", {}},    {"area_ratio", {}},
-                 {"edge_ratio", {}}, {"min_angle", {}}, {"max_angle", {}}};
+  file.triangles.reserve(order.size());
   for (const std::int32_t slot : order) {
     const auto& v = triangleAt(mesh, slot).v;
     file.triangles.push_back({number[at(v[0])], number[at(v[1])], number[at(v[2])]});
-    file.fields.front().values.push_back(static_cast<double>(idOf(mesh, slot)));
-    const MeasureValues values = measuresOf(mesh, slot);
-    for (std::size_t i = 0; i < values.size(); ++i) file.fields[i + 1].values.push_back(values[i]);
   }
+  if (fields == Fields::yes) exportFields(mesh, order, file);
   if (state.domain != nullptr) exportEdges(state, number, file);
   return file;
 }

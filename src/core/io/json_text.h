@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/io/append_text.h"
+
 namespace triscope {
 
 /// Between quotes, with what must be escaped.
@@ -26,10 +28,16 @@ inline std::string jsonText(std::string_view text) {
 }
 
 /// Shortest text that reads back as the same double; null for what JSON has no number for.
+inline void appendJsonNumber(TextBuffer& out, double value) {
+  if (!std::isfinite(value)) return appendText(out, "null");
+  if (value == 0.0 && std::signbit(value)) return appendText(out, "-0.0");  // "-0" would be a whole number
+  print(out, FMT_COMPILE("{}"), value);
+}
+
 inline std::string jsonNumber(double value) {
-  if (!std::isfinite(value)) return "null";
-  if (value == 0.0 && std::signbit(value)) return "-0.0";  // "-0" is read as a whole number, which has no such zero
-  return fmt::format("{}", value);
+  TextBuffer out;
+  appendJsonNumber(out, value);
+  return {out.data(), out.size()};
 }
 
 }  // namespace triscope

@@ -1,11 +1,9 @@
 // Where writers put their text: collected in memory, handed on in blocks, so that a large mesh needs no large buffer.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <iterator>
 #include <optional>
 
+#include "core/io/append_text.h"
 #include "core/io/atomic_file.h"
 #include "core/result.h"
 
@@ -13,14 +11,15 @@ namespace triscope {
 
 class TextSink {
  public:
-  TextSink(AtomicFile& file, bool (*cancelled)()) : file_(file), cancelled_(cancelled) {}
+  explicit TextSink(AtomicFile& file) : file_(file) {}
 
-  template <class... Args>
-  void print(fmt::format_string<Args...> format, Args&&... args) {
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
+  /// `format` is FMT_COMPILE("…").
+  template <class Format, class... Args>
+  void print(const Format& format, const Args&... args) {
+    triscope::print(buffer_, format, args...);
     if (buffer_.size() >= kBlock) flush();
   }
-  /// Hands on what is left. The first thing that went wrong, if anything did.
+  /// Hands on what has been collected. The first thing that went wrong, if anything did.
   Status finish() {
     flush();
     return failure_ ? Status(*failure_) : success();
@@ -30,10 +29,6 @@ class TextSink {
   static constexpr std::size_t kBlock = 1u << 16;
 
   void flush() {
-    if (!failure_ && cancelled_ != nullptr && cancelled_()) {
-      failure_ =
-          Error{.code = ExitCode::cancelled, .message = "writing was cancelled", .hint = {}, .file = {}, .loop = {}};
-    }
     if (!failure_) {
       if (Status written = file_.write({buffer_.data(), buffer_.size()}); !written) failure_ = written.error();
     }
@@ -41,8 +36,7 @@ class TextSink {
   }
 
   AtomicFile& file_;
-  bool (*cancelled_)();
-  fmt::memory_buffer buffer_;
+  TextBuffer buffer_;
   std::optional<Error> failure_;
 };
 

@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/atomic_file.h"
 #include "core/io/mesh_formats.h"
 
 namespace triscope {
@@ -45,7 +44,20 @@ std::string meshFormatsWritten() {
 
 bool isMeshPath(const std::string& path) { return formatOf(path) != nullptr; }
 
-Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteOptions& options) {
+std::vector<std::string> meshFilesOf(const std::string& path) {
+  std::vector<std::string> files;
+  if (const std::vector<Part>* const parts = formatOf(path))
+    for (const Part& part : *parts)
+      files.push_back(std::filesystem::path(path).replace_extension(part.extension).string());
+  return files;
+}
+
+bool holdsFields(const std::string& path) {
+  const std::vector<Part>* const parts = formatOf(path);
+  return parts != nullptr && parts->front().write == writeVtu;
+}
+
+Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteOptions& options, OutputSet& set) {
   const std::vector<Part>* parts = formatOf(path);
   if (parts == nullptr) {
     return Error{.code = ExitCode::usage,
@@ -55,25 +67,22 @@ Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteO
                  .file = path,
                  .loop = {}};
   }
-  std::vector<AtomicFile> written;
-  for (const Part& part : *parts) {
-    auto target = AtomicFile::create(std::filesystem::path(path).replace_extension(part.extension).string());
+  const std::vector<std::string> files = meshFilesOf(path);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Result<AtomicFile*> target = set.open(files[i]);
     if (!target) return target.error();
-    TextSink sink(*target, options.cancelled);
-    const Writer write = options.msh2 && part.write == writeMsh4 ? writeMsh2 : part.write;
+    TextSink sink(**target);
+    const Writer write = options.msh2 && (*parts)[i].write == writeMsh4 ? writeMsh2 : (*parts)[i].write;
     write(file, sink);
-    if (Status finished = sink.finish(); !finished) {
-      Error error = finished.error();
-      error.file = path;
-      return error;
-    }
-    if (Status closed = target->close(); !closed) return closed;
-    written.push_back(std::move(*target));
-  }
-  for (AtomicFile& target : written) {
-    if (Status committed = target.commit(); !committed) return committed;
+    if (Status finished = sink.finish(); !finished) return finished;
   }
   return success();
+}
+
+Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteOptions& options) {
+  OutputSet set;
+  if (const Status written = writeMesh(path, file, options, set); !written) return written;
+  return set.commit();
 }
 
 }  // namespace triscope

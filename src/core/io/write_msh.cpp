@@ -1,5 +1,8 @@
 // Gmsh's ASCII formats 4.1 and 2.2 (Gmsh reference manual, "MSH file format"). Every group of edges is a named
 // physical curve, the triangles are the physical surface "domain". Tags count from 1.
+#include <span>
+
+#include "core/io/edge_groups.h"
 #include "core/io/mesh_formats.h"
 
 namespace triscope {
@@ -16,9 +19,10 @@ std::string quotable(const std::string& name) {
 }
 
 void writePhysicalNames(const MeshFile& file, TextSink& out) {
-  out.print("$PhysicalNames\n{}\n", file.groups.size() + 1);
-  for (std::size_t g = 0; g < file.groups.size(); ++g) out.print("1 {} \"{}\"\n", g + 1, quotable(file.groups[g]));
-  out.print("2 {} \"domain\"\n$EndPhysicalNames\n", file.groups.size() + 1);
+  out.print(FMT_COMPILE("$PhysicalNames\n{}\n"), file.groups.size() + 1);
+  for (std::size_t g = 0; g < file.groups.size(); ++g)
+    out.print(FMT_COMPILE("1 {} \"{}\"\n"), g + 1, quotable(file.groups[g]));
+  out.print(FMT_COMPILE("2 {} \"domain\"\n$EndPhysicalNames\n"), file.groups.size() + 1);
 }
 
 Box boundsOf(const MeshFile& file) {
@@ -27,80 +31,72 @@ Box boundsOf(const MeshFile& file) {
   return box.empty() ? Box{{0, 0}, {0, 0}} : box;
 }
 
-/// Edges of each group, and how many groups have any.
-struct Groups {
-  std::vector<std::size_t> sizes;
-  std::size_t used = 0;
-  explicit Groups(const MeshFile& file) : sizes(file.groups.size(), 0) {
-    for (const MeshFile::Edge& edge : file.edges) ++sizes[static_cast<std::size_t>(edge.group)];
-    for (const std::size_t size : sizes) used += size > 0 ? 1u : 0u;
-  }
-};
-
-void writeEntities(const MeshFile& file, TextSink& out) {
-  out.print("$Entities\n0 {} 1 0\n", file.groups.size());
+void writeEntities(const MeshFile& file, const EdgeGroups& groups, TextSink& out) {
+  out.print(FMT_COMPILE("$Entities\n0 {} 1 0\n"), file.groups.size());
   for (std::size_t g = 0; g < file.groups.size(); ++g) {
     Box box;
-    for (const MeshFile::Edge& edge : file.edges) {
-      if (edge.group != static_cast<int>(g)) continue;
+    for (const MeshFile::Edge& edge : groups.of(g)) {
       box.include(file.points[static_cast<std::size_t>(edge.a)]);
       box.include(file.points[static_cast<std::size_t>(edge.b)]);
     }
     if (box.empty()) box = boundsOf(file);
-    out.print("{} {} {} 0 {} {} 0 1 {} 0\n", g + 1, box.lo.x, box.lo.y, box.hi.x, box.hi.y, g + 1);
+    out.print(FMT_COMPILE("{} {} {} 0 {} {} 0 1 {} 0\n"), g + 1, box.lo.x, box.lo.y, box.hi.x, box.hi.y, g + 1);
   }
   const Box box = boundsOf(file);
-  out.print("1 {} {} 0 {} {} 0 1 {} {}", box.lo.x, box.lo.y, box.hi.x, box.hi.y, file.groups.size() + 1,
+  out.print(FMT_COMPILE("1 {} {} 0 {} {} 0 1 {} {}"), box.lo.x, box.lo.y, box.hi.x, box.hi.y, file.groups.size() + 1,
             file.groups.size());
-  for (std::size_t g = 0; g < file.groups.size(); ++g) out.print(" {}", g + 1);
-  out.print("\n$EndEntities\n");
+  for (std::size_t g = 0; g < file.groups.size(); ++g) out.print(FMT_COMPILE(" {}"), g + 1);
+  out.print(FMT_COMPILE("\n$EndEntities\n"));
 }
 
 }  // namespace
 
 void writeMsh4(const MeshFile& file, TextSink& out) {
-  out.print("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n");
+  out.print(FMT_COMPILE("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"));
   writePhysicalNames(file, out);
-  writeEntities(file, out);
+  const EdgeGroups groups(file);
+  writeEntities(file, groups, out);
 
   const std::size_t points = file.points.size();
-  out.print("$Nodes\n1 {} 1 {}\n2 1 0 {}\n", points, points, points);
-  for (std::size_t i = 0; i < points; ++i) out.print("{}\n", i + 1);
-  for (const Point p : file.points) out.print("{} {} 0\n", p.x, p.y);
-  out.print("$EndNodes\n");
+  out.print(FMT_COMPILE("$Nodes\n1 {} 1 {}\n2 1 0 {}\n"), points, points, points);
+  for (std::size_t i = 0; i < points; ++i) out.print(FMT_COMPILE("{}\n"), i + 1);
+  for (const Point p : file.points) out.print(FMT_COMPILE("{} {} 0\n"), p.x, p.y);
+  out.print(FMT_COMPILE("$EndNodes\n"));
 
-  const Groups groups(file);
+  std::size_t blocks = file.triangles.empty() ? 0u : 1u;
+  for (std::size_t g = 0; g < file.groups.size(); ++g) blocks += groups.of(g).empty() ? 0u : 1u;
   const std::size_t elements = file.edges.size() + file.triangles.size();
-  out.print("$Elements\n{} {} 1 {}\n", groups.used + (file.triangles.empty() ? 0u : 1u), elements, elements);
+  out.print(FMT_COMPILE("$Elements\n{} {} 1 {}\n"), blocks, elements, elements);
   std::size_t tag = 1;
-  for (std::size_t g = 0; g < groups.sizes.size(); ++g) {
-    if (groups.sizes[g] == 0) continue;
-    out.print("1 {} {} {}\n", g + 1, kLine, groups.sizes[g]);
-    for (const MeshFile::Edge& edge : file.edges) {
-      if (edge.group == static_cast<int>(g)) out.print("{} {} {}\n", tag++, edge.a + 1, edge.b + 1);
-    }
+  for (std::size_t g = 0; g < file.groups.size(); ++g) {
+    const std::span<const MeshFile::Edge> edges = groups.of(g);
+    if (edges.empty()) continue;
+    out.print(FMT_COMPILE("1 {} {} {}\n"), g + 1, kLine, edges.size());
+    for (const MeshFile::Edge& edge : edges) out.print(FMT_COMPILE("{} {} {}\n"), tag++, edge.a + 1, edge.b + 1);
   }
-  if (!file.triangles.empty()) out.print("2 1 {} {}\n", kTriangle, file.triangles.size());
-  for (const auto& t : file.triangles) out.print("{} {} {} {}\n", tag++, t[0] + 1, t[1] + 1, t[2] + 1);
-  out.print("$EndElements\n");
+  if (!file.triangles.empty()) out.print(FMT_COMPILE("2 1 {} {}\n"), kTriangle, file.triangles.size());
+  for (const auto& t : file.triangles) out.print(FMT_COMPILE("{} {} {} {}\n"), tag++, t[0] + 1, t[1] + 1, t[2] + 1);
+  out.print(FMT_COMPILE("$EndElements\n"));
 }
 
 void writeMsh2(const MeshFile& file, TextSink& out) {
-  out.print("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+  out.print(FMT_COMPILE("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"));
   writePhysicalNames(file, out);
-  out.print("$Nodes\n{}\n", file.points.size());
+  out.print(FMT_COMPILE("$Nodes\n{}\n"), file.points.size());
   for (std::size_t i = 0; i < file.points.size(); ++i) {
-    out.print("{} {} {} 0\n", i + 1, file.points[i].x, file.points[i].y);
+    out.print(FMT_COMPILE("{} {} {} 0\n"), i + 1, file.points[i].x, file.points[i].y);
   }
-  out.print("$EndNodes\n$Elements\n{}\n", file.edges.size() + file.triangles.size());
+  out.print(FMT_COMPILE("$EndNodes\n$Elements\n{}\n"), file.edges.size() + file.triangles.size());
   std::size_t tag = 1;
   for (const MeshFile::Edge& edge : file.edges) {
-    out.print("{} {} 2 {} {} {} {}\n", tag++, kLine, edge.group + 1, edge.group + 1, edge.a + 1, edge.b + 1);
+    out.print(FMT_COMPILE("{} {} 2 {} {} {} {}\n"), tag++, kLine, edge.group + 1, edge.group + 1, edge.a + 1,
+              edge.b + 1);
   }
   for (const auto& t : file.triangles) {
-    out.print("{} {} 2 {} 1 {} {} {}\n", tag++, kTriangle, file.groups.size() + 1, t[0] + 1, t[1] + 1, t[2] + 1);
+    out.print(FMT_COMPILE("{} {} 2 {} 1 {} {} {}\n"), tag++, kTriangle, file.groups.size() + 1, t[0] + 1, t[1] + 1,
+              t[2] + 1);
   }
-  out.print("$EndElements\n");
+  out.print(FMT_COMPILE("$EndElements\n"));
 }
 
 }  // namespace triscope

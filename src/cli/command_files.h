@@ -1,0 +1,25 @@
+// Which files each subcommand reads and writes: the one place that says so, for the check that none is overwritten.
+#pragma once
+
+#include <vector>
+
+#include "cli/options.h"
+#include "core/io/file_identity.h"
+
+namespace triscope {
+
+struct CommandFiles {
+  std::vector<NamedFile> inputs;
+  std::vector<NamedFile> outputs;
+};
+
+CommandFiles filesOf(const WindowOptions& options);
+CommandFiles filesOf(const MeshCommand& options);
+CommandFiles filesOf(const CheckCommand& options);
+CommandFiles filesOf(const FigureCommand& options);
+CommandFiles filesOf(const SettingsCommand& options);
+CommandFiles filesOf(const DebugCommand& options);
+CommandFiles filesOf(const SweepCommand& options);
+CommandFiles filesOf(const ReplayCommand& options);
+
+}  // namespace triscope

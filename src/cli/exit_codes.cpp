@@ -1,0 +1,47 @@
+#include "cli/exit_codes.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <csignal>
+#include <iterator>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace triscope {
+namespace {
+
+struct Meaning {
+  int code;
+  std::string_view words;
+};
+
+constexpr Meaning of(ExitCode code, std::string_view words) { return {static_cast<int>(code), words}; }
+
+constexpr int kBySignal = 128;  // more than the number of the signal, as shells have it
+
+constexpr std::array kMeanings{
+    of(ExitCode::ok, "done"),
+    of(ExitCode::unmet,
+       "a bound is not met, a mesh is not valid, a session is not as recorded, or the method could not go on"),
+    of(ExitCode::usage, "the command line is wrong"),
+    of(ExitCode::bad_data, "the input is wrong"),
+    of(ExitCode::no_input, "the input cannot be opened"),
+    of(ExitCode::no_display, "no window can be opened here"),
+    of(ExitCode::internal, "a defect of the program"),
+    of(ExitCode::cannot_write, "an output cannot be written"),
+    of(ExitCode::cancelled, "stopped by Ctrl+C"),
+    Meaning{kBySignal + SIGTERM, "stopped by TERM"},
+};
+
+}  // namespace
+
+std::string exitCodesHelp() {
+  std::string text = "Exit codes:\n";
+  for (const Meaning& meaning : kMeanings)
+    fmt::format_to(std::back_inserter(text), "  {:<5}{}\n", meaning.code, meaning.words);
+  return text;
+}
+
+}  // namespace triscope
