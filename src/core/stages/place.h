@@ -26,8 +26,11 @@ struct Attempt {
   std::uint32_t removedCount = 0;
 };
 
-/// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes.
+/// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes. The second form
+/// leaves the cavity, and the new triangles as its fan, in the caller's scratch.
 Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand);
+Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
+              Cavity& cavity);
 
 /// Splits boundary edge `edge` (index in Mesh::edges) at half its parameter, on the true curve. Refused when a half
 /// would be shorter than minEdge, or the new point does not see the triangles around it.

@@ -9,7 +9,7 @@
 namespace triscope {
 namespace {
 
-thread_local Star star;
+thread_local Cavity scratch;
 
 Rule ruleOf(Stage step) {
   return static_cast<Rule>(static_cast<int>(Rule::step1) + static_cast<int>(step) - static_cast<int>(Stage::step1));
@@ -32,9 +32,10 @@ void passOver(MeshState& state, std::int32_t slot, const Shape& shape) {
   if (quiet.bounds) tested |= kTestedRepair;
 }
 
-void queueStar(MeshState& state, std::int32_t vertex) {
-  starOf(state.mesh, vertex, star);
-  for (const std::int32_t rim : star.rim) state.cursor.worklist.push_back(triangleOf(rim));
+// In the order of the star of the new vertex, which begins at the last triangle made.
+void queueFan(std::vector<std::int32_t>& worklist, std::span<const std::int32_t> fan) {
+  worklist.push_back(fan.back());
+  worklist.insert(worklist.end(), fan.begin(), fan.end() - 1);
 }
 
 void record(const MeshState& state, Journal& journal, std::uint32_t subject, const Proposal& proposal,
@@ -74,13 +75,14 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
-    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {proposal.nearest, -0.5});
+    const Demand demand{proposal.nearest, -0.5};
+    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, demand, scratch);
     record(state, journal, subject, proposal, other, attempt);
     if (attempt.vertex < 0) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;
       return Outcome::decided;
     }
-    queueStar(state, attempt.vertex);
+    queueFan(cursor.worklist, scratch.fan());
     return Outcome::inserted;
   }
   return Outcome::done;
