@@ -9,7 +9,7 @@
 namespace triscope {
 namespace {
 
-thread_local Cavity scratch;
+thread_local Placing scratch;
 thread_local std::vector<std::int32_t> suspects;
 thread_local std::vector<Flip> flips;
 
@@ -42,8 +42,9 @@ Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, Ver
 }
 
 Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
-              Cavity& cavity) {
+              Placing& placing) {
   Attempt attempt;
+  Cavity& cavity = placing.cavity;
   const Location location = walkTo(mesh, start, p);
   if (location.blocked >= 0) {
     attempt.refusal = Refusal::outside_domain;
@@ -65,7 +66,7 @@ Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, Ver
   }
   attempt.firstId = mesh.nextId;
   attempt.removedCount = static_cast<std::uint32_t>(cavity.triangleCount);
-  attempt.vertex = fillCavity(mesh, cavity, kind, static_cast<std::uint8_t>(densityRankAt(tree, p)));
+  attempt.vertex = fillCavity(mesh, cavity, kind, static_cast<std::uint8_t>(densityRankAt(tree, p, placing.path)));
   attempt.createdCount = mesh.nextId - attempt.firstId;
   return attempt;
 }
@@ -83,15 +84,17 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
     attempt.limit = minEdge;
     return attempt;
   }
+  Cavity& cavity = scratch.cavity;
   std::int32_t side = findHalfEdge(mesh, old.v0, old.v1);
   if (side < 0) side = findHalfEdge(mesh, old.v1, old.v0);
-  if (side < 0 || !findSplitCavity(mesh, p, side, scratch)) {
+  if (side < 0 || !findSplitCavity(mesh, p, side, cavity)) {
     attempt.refusal = Refusal::inverts_triangle;
     return attempt;
   }
   attempt.firstId = mesh.nextId;
-  attempt.removedCount = static_cast<std::uint32_t>(scratch.triangleCount);
-  attempt.vertex = fillSplitCavity(mesh, scratch, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p)));
+  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangleCount);
+  attempt.vertex =
+      fillSplitCavity(mesh, cavity, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p, scratch.path)));
   // A point on a bent curve lies off its chord, where the cavity's argument for the Delaunay property does not hold.
   thread_local Star star;
   starOf(mesh, attempt.vertex, star);

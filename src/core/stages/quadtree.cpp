@@ -32,15 +32,13 @@ void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32
 Outcome balanceOne(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Quadtree& tree = state.tree;
-  thread_local std::vector<std::int32_t> around;
+  thread_local LeafPath path;
   while (!cursor.worklist.empty()) {
     const std::int32_t leaf = cursor.worklist.back();
     const Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
     if (cell.child < 0) {
-      neighboursOf(tree, leaf, around);
-      for (const std::int32_t other : around) {
-        const Cell& neighbour = tree.cells[static_cast<std::size_t>(other)];
-        if (neighbour.rank <= cell.rank + 1) continue;
+      const std::int32_t other = coarseNeighbour(tree, leaf, path);
+      if (other >= 0) {
         const int limit = cell.rank + 1;
         const std::int32_t first = splitCell(tree, other);
         for (std::int32_t k = 0; k < 4; ++k) cursor.worklist.push_back(first + k);

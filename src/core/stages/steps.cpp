@@ -9,7 +9,7 @@
 namespace triscope {
 namespace {
 
-thread_local Cavity scratch;
+thread_local Placing scratch;
 
 Rule ruleOf(Stage step) {
   return static_cast<Rule>(static_cast<int>(Rule::step1) + static_cast<int>(step) - static_cast<int>(Stage::step1));
@@ -82,7 +82,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;
       return Outcome::decided;
     }
-    queueFan(cursor.worklist, scratch.fan());
+    queueFan(cursor.worklist, scratch.cavity.fan());
     return Outcome::inserted;
   }
   return Outcome::done;
