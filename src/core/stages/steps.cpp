@@ -22,9 +22,7 @@ constexpr std::uint8_t bitOf(Stage step) {
 // Marks what the later steps need not look at again, while the triangle and its neighbours are at hand: reading the
 // whole mesh once more for each rule costs more than the rules do. Not in step 1, most triangles of which are soon
 // gone.
-void passOver(MeshState& state, std::int32_t slot, const Shape& shape) {
-  if (state.stage == Stage::step1) return;
-  const Quiet quiet = clearlyQuiet(state, slot, shape);
+void passOver(MeshState& state, std::int32_t slot, const Quiet& quiet) {
   std::uint8_t& tested = state.mesh.tested[at(slot)];
   if (quiet.step3) tested |= bitOf(Stage::step3);
   if (quiet.step4) tested |= bitOf(Stage::step4);
@@ -67,11 +65,15 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     cursor.worklist.pop_back();
     if (!mesh.alive(slot) || (mesh.tested[at(slot)] & bit) != 0) continue;
     mesh.tested[at(slot)] |= bit;
-    const Shape shape = shapeOf(mesh, slot);
     Proposal proposal;
-    if (!proposes(state.stage, state, slot, shape, proposal)) {
-      passOver(state, slot, shape);
-      continue;
+    if (state.stage == Stage::step1) {
+      if (!proposes(state.stage, state, slot, scratch.path, proposal)) continue;
+    } else {
+      const Quiet quiet = clearlyQuiet(state, slot);
+      if (quiet.of(state.stage) || !proposes(state.stage, state, slot, scratch.path, proposal)) {
+        passOver(state, slot, quiet);
+        continue;
+      }
     }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
