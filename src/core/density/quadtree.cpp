@@ -132,13 +132,17 @@ std::int32_t firstNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& p
 
 }  // namespace
 
-void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found) {
-  LeafPath path;
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, LeafPath& path, std::vector<std::int32_t>& found) {
   found.clear();
   firstNeighbour(tree, leaf, path, [&](std::int32_t other) {
     if (std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
     return false;
   });
+}
+
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found) {
+  LeafPath path;
+  neighboursOf(tree, leaf, path, found);
 }
 
 std::int32_t unvisitedNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path) {

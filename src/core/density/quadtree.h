@@ -62,6 +62,7 @@ struct LeafPath {
 };
 
 /// Leaves that share a side, or part of one, with the leaf, each once, in a fixed order.
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, LeafPath& path, std::vector<std::int32_t>& found);
 void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found);
 /// The first of them that the advancing front has not visited, or that is coarser by more than a rank; -1 when none is.
 std::int32_t unvisitedNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path);

@@ -10,6 +10,8 @@ namespace {
 
 enum Phase : std::uint32_t { split_for_constraints, balance, rank_constraints };
 
+thread_local LeafPath path;
+
 int wishedRank(const MeshState& state, const Constraint& constraint) {
   const int rank = rankAtMost(constraint.length * state.tree.minEdgeInverse * (1.0 + 1e-12));
   return std::min({rank, state.settings.maxRank, 3 * state.tree.cells[0].rank});
@@ -32,7 +34,6 @@ void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32
 Outcome balanceOne(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Quadtree& tree = state.tree;
-  thread_local LeafPath path;
   while (!cursor.worklist.empty()) {
     const std::int32_t leaf = cursor.worklist.back();
     const Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
@@ -69,7 +70,7 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
   if (cursor.phase == split_for_constraints) {
     for (; cursor.index < state.constraints.size(); ++cursor.index) {
       const Constraint& constraint = state.constraints[cursor.index];
-      const std::int32_t leaf = leafAt(tree, constraint.at);
+      const std::int32_t leaf = leafAt(tree, constraint.at, path);
       if (tree.cells[static_cast<std::size_t>(leaf)].rank <= largestCellRank(wishedRank(state, constraint))) continue;
       const std::int32_t first = splitCell(tree, leaf);
       recordSplit(state, journal, constraint.source, leaf, first);
@@ -89,7 +90,7 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
   }
   for (; cursor.index < state.constraints.size(); ++cursor.index) {
     const Constraint& constraint = state.constraints[cursor.index];
-    const std::int32_t leaf = leafAt(tree, constraint.at);
+    const std::int32_t leaf = leafAt(tree, constraint.at, path);
     Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
     const int rank = wishedRank(state, constraint);
     if (rank >= cell.density) continue;
