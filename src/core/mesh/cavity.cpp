@@ -14,10 +14,12 @@ constexpr std::size_t kFirstCapacity = 64;
 // Each triangle found brings one vertex and turns one edge into two, so that this is room enough for all lists.
 void makeRoom(Cavity& cavity, std::size_t triangles) {
   constexpr std::size_t kMargin = 8;  // vertices and edges of the first two triangles, and where the rim ends
+  std::vector<std::int32_t> slots(triangles + kMargin);
+  const std::span<const std::int32_t> found = cavity.triangles();
+  std::copy(found.begin(), found.end(), slots.begin() + static_cast<std::ptrdiff_t>(triangles - found.size()));
+  cavity.slots.swap(slots);
   cavity.capacity = triangles;
-  cavity.found.resize(triangles + kMargin);
   cavity.edges.resize(triangles + kMargin);
-  cavity.made.resize(triangles + kMargin);
   cavity.sights.resize(triangles + kMargin);
   cavity.open.resize(triangles + kMargin);
 }
@@ -62,23 +64,25 @@ Cavity::Open openEdge(const Mesh& mesh, const Cavity& cavity, std::int32_t slot,
           twiceAreaSeen(cavity.sights[at(from)], cavity.sights[at(to)])};
 }
 
-void take(Mesh& mesh, Cavity& cavity, std::int32_t slot) {
-  mesh.flags[at(slot)] |= kInCavity;
-  cavity.found[cavity.triangleCount++] = slot;
+void take(Cavity& cavity, std::int32_t slot) {
+  if (cavity.triangleCount == cavity.capacity) makeRoom(cavity, 2 * cavity.capacity);
+  cavity.slots[cavity.capacity - ++cavity.triangleCount] = slot;
 }
 
 // From the open edges, of which there is at least one. Depth first, edges counter-clockwise, so that the rim comes out
 // in order around the point. Each vertex is looked at once, and an in-circle test needs but one new one: the areas with
 // the other two edges of a triangle are those of its own test.
-// A triangle that was entered already is not entered again: where the point lies in the first triangle that cannot
-// come up, since each of the others is entered through the one edge that hides it from the point; a point that splits
-// an edge of a bent curve may lie elsewhere.
-void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
+// With kMarks, what is in the cavity is marked, and not entered again. Where the first triangle holds the point that
+// cannot come up, since each other one is entered through the one edge that hides it from the point; but it can where
+// the point splits an edge of a bent curve, or lies in a hole. Without marks such a cavity has no end: false when it
+// has more triangles than there are.
+template <bool kMarks>
+bool grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
   const Triangle* const all = mesh.triangles.data();
   const Point* const points = mesh.points.data();
   std::uint8_t* const flags = mesh.flags.data();
   const Point p = cavity.at;
-  std::int32_t* found = cavity.found.data();
+  std::int32_t* slots = cavity.slots.data();
   Cavity::RimEdge* edges = cavity.edges.data();
   Cavity::Sight* sights = cavity.sights.data();
   Cavity::Open* open = cavity.open.data();
@@ -87,25 +91,43 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
   double nearest = cavity.nearest;
   bool walled = cavity.walled;
 
-  Cavity::Open edge = open[--depth];
-  Cavity::Sight a = sights[edge.from], b = sights[edge.to];
+  // The edge looked across and its ends, one value each: a structure copied just after its members were written waits
+  // for the writes.
+  std::int32_t from = 0, to = 0, across = 0;
+  double area = 0.0, ax = 0.0, ay = 0.0, aSquared = 0.0, bx = 0.0, by = 0.0, bSquared = 0.0;
+  const auto next = [&] {
+    const Cavity::Open& edge = open[--depth];
+    from = edge.from;
+    to = edge.to;
+    across = edge.across;
+    area = edge.area;
+    ax = sights[from].x;
+    ay = sights[from].y;
+    aSquared = sights[from].squaredDistance;
+    bx = sights[to].x;
+    by = sights[to].y;
+    bSquared = sights[to].squaredDistance;
+  };
+  next();
   for (;;) {
-    if (edge.across >= 0) {
-      const std::int32_t slot = thirdOf(edge.across);
-      const int corner = edge.across - 3 * slot;
+    if (across >= 0) {
+      const std::int32_t slot = thirdOf(across);
+      const int corner = across - 3 * slot;
       const Triangle& t = all[slot];
       const std::int32_t apex = t.v[static_cast<std::size_t>(corner)];
       const double x = points[apex].x - p.x, y = points[apex].y - p.y;
       const double squared = x * x + y * y;
-      const double bc = b.x * y - x * b.y;
-      const double ca = x * a.y - a.x * y;
-      int inside = incircleSeen(edge.area, bc, ca, a.squaredDistance, b.squaredDistance, squared);
+      const double bc = bx * y - x * by;
+      const double ca = x * ay - ax * y;
+      int inside = incircleSeen(area, bc, ca, aSquared, bSquared, squared);
       if (inside == 0) inside = detail::incircleExact(points[t.v[0]], points[t.v[1]], points[t.v[2]], p);
-      if (inside > 0 && (flags[slot] & kInCavity) == 0) {
+      if (inside > 0 && (!kMarks || (flags[slot] & kInCavity) == 0)) {
         if (count == capacity) {
+          if (count > mesh.triangles.size()) return false;
+          cavity.triangleCount = count;
           makeRoom(cavity, 2 * capacity);
           capacity = cavity.capacity;
-          found = cavity.found.data();
+          slots = cavity.slots.data();
           edges = cavity.edges.data();
           sights = cavity.sights.data();
           open = cavity.open.data();
@@ -113,34 +135,38 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
         const int before = prev3(corner), after = next3(corner);
         std::int32_t acrossBefore = t.adj[static_cast<std::size_t>(before)];
         std::int32_t acrossAfter = t.adj[static_cast<std::size_t>(after)];
-        if ((flags[slot] & kConstrainedAll) != 0 || (acrossBefore | acrossAfter) < 0) {
-          acrossBefore = beyond(t, slot, flags[slot], before);
-          acrossAfter = beyond(t, slot, flags[slot], after);
+        const std::uint8_t bits = flags[slot];
+        if ((bits & kConstrainedAll) != 0 || (acrossBefore | acrossAfter) < 0) {
+          acrossBefore = beyond(t, slot, bits, before);
+          acrossAfter = beyond(t, slot, bits, after);
         }
-        flags[slot] |= kInCavity;
-        found[count++] = slot;
+        if constexpr (kMarks) flags[slot] = bits | kInCavity;
+        slots[capacity - ++count] = slot;
         nearest = std::min(nearest, squared);
         sights[sightCount] = {x, y, squared, apex};
-        open[depth++] = {sightCount, edge.to, acrossBefore, -bc};
-        edge = {edge.from, sightCount, acrossAfter, -ca};
-        b = sights[sightCount++];
+        open[depth++] = {sightCount, to, acrossBefore, -bc};
+        to = sightCount++;
+        across = acrossAfter;
+        area = -ca;
+        bx = x;
+        by = y;
+        bSquared = squared;
         continue;
       }
     } else {
       walled = true;
     }
-    edges[rim++] = {a.vertex, edge.across};
+    edges[rim++] = {sights[from].vertex, across};
     if (depth == 0) break;
-    edge = open[--depth];
-    a = sights[edge.from];
-    b = sights[edge.to];
+    next();
   }
-  edges[rim] = {b.vertex, 0};
+  edges[rim] = {sights[to].vertex, 0};
   cavity.triangleCount = count;
   cavity.rimCount = rim;
   cavity.sightCount = static_cast<std::size_t>(sightCount);
   cavity.nearest = nearest;
   cavity.walled = walled;
+  return true;
 }
 
 void unmark(Mesh& mesh, const Cavity& cavity) {
@@ -153,19 +179,31 @@ std::int32_t halfEdgeOf(const Mesh& mesh, const Cavity::RimEdge& edge) {
   return edge.isWall() ? edge.wall() : oppositeOf(mesh, edge.across);
 }
 
-void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
+namespace {
+
+template <bool kMarks>
+bool growFrom(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
   begin(cavity, p);
   for (const std::int32_t vertex : triangleAt(mesh, start).v) look(mesh, cavity, vertex);
   for (int i = 0; i < 3; ++i) cavity.open[at(2 - i)] = openEdge(mesh, cavity, start, i, next3(i), prev3(i));
-  take(mesh, cavity, start);
-  grow(mesh, cavity, 3);
+  take(cavity, start);
+  if constexpr (kMarks) mesh.flags[at(start)] |= kInCavity;
+  return grow<kMarks>(mesh, cavity, 3);
+}
+
+}  // namespace
+
+void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
+  if (growFrom<false>(mesh, p, start, cavity)) return;
+  growFrom<true>(mesh, p, start, cavity);
   unmark(mesh, cavity);
 }
 
 bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity) {
   begin(cavity, p);
   const std::int32_t other = oppositeOf(mesh, edge);
-  if (other >= 0) mesh.flags[at(triangleOf(other))] |= kInCavity;
+  for (const std::int32_t side : {edge, other})
+    if (side >= 0) mesh.flags[at(triangleOf(side))] |= kInCavity;
   std::int32_t from = look(mesh, cavity, startOf(mesh, edge));
   std::int32_t to = look(mesh, cavity, endOf(mesh, edge));
   for (const std::int32_t side : {edge, other}) {
@@ -173,11 +211,10 @@ bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity) {
     const std::int32_t slot = triangleOf(side);
     const int i = cornerOf(side);
     const std::int32_t apex = look(mesh, cavity, apexOf(mesh, side));
-    if (cavity.triangleCount == cavity.capacity) makeRoom(cavity, 2 * cavity.capacity);
-    take(mesh, cavity, slot);
+    take(cavity, slot);
     cavity.open[0] = openEdge(mesh, cavity, slot, prev3(i), apex, from);
     cavity.open[1] = openEdge(mesh, cavity, slot, next3(i), to, apex);
-    grow(mesh, cavity, 2);
+    grow<true>(mesh, cavity, 2);
     std::swap(from, to);
   }
   unmark(mesh, cavity);
@@ -193,22 +230,21 @@ bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity) {
 
 namespace {
 
-// The slots of the fan: those of the cavity, last found first, as if its triangles had been freed one by one, then
-// others.
+// Puts the slots that the fan needs beyond those of the cavity behind them: the one freed last, or new ones.
 void takeSlots(Mesh& mesh, Cavity& cavity) {
-  for (std::size_t k = 0; k < cavity.rimCount; ++k) {
-    if (k < cavity.triangleCount) {
-      cavity.made[k] = cavity.found[cavity.triangleCount - 1 - k];
-    } else if (!mesh.freeSlots.empty()) {
-      cavity.made[k] = mesh.freeSlots.back();
+  std::int32_t* const more = cavity.slots.data() + cavity.capacity;
+  const std::size_t count = cavity.rimCount - cavity.triangleCount;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!mesh.freeSlots.empty()) {
+      more[k] = mesh.freeSlots.back();
       mesh.freeSlots.pop_back();
-    } else {
-      cavity.made[k] = static_cast<std::int32_t>(mesh.triangles.size());
-      mesh.triangles.emplace_back();
-      mesh.ids.push_back(0);
-      mesh.flags.push_back(0);
-      mesh.tested.push_back(0);
+      continue;
     }
+    more[k] = static_cast<std::int32_t>(mesh.triangles.size());
+    mesh.triangles.emplace_back();
+    mesh.ids.push_back(0);
+    mesh.flags.push_back(0);
+    mesh.tested.push_back(0);
   }
 }
 
@@ -232,14 +268,15 @@ std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t dens
   std::uint8_t* const tested = mesh.tested.data();
   std::int32_t* const triangleAround = mesh.vertexTriangle.data();
   const Cavity::RimEdge* const edges = cavity.edges.data();
-  const std::int32_t* const slots = cavity.made.data();
+  const std::int32_t* const slots = cavity.firstSlot();
   const std::size_t n = cavity.rimCount;
   const bool closed = cavity.closed();
   std::uint32_t id = mesh.nextId;
+  const std::int32_t firstAfterLast = closed ? 3 * slots[0] + 2 : -1;
   std::int32_t before = closed ? 3 * slots[n - 1] + 1 : -1;
   for (std::size_t k = 0; k < n; ++k) {
     const std::int32_t slot = slots[k];
-    const std::int32_t after = k + 1 < n ? 3 * slots[k + 1] + 2 : closed ? 3 * slots[0] + 2 : -1;
+    const std::int32_t after = k + 1 < n ? 3 * slots[k + 1] + 2 : firstAfterLast;
     const bool wall = edges[k].across < -1;
     const std::int32_t across = wall ? -3 - edges[k].across : edges[k].across;
     if (across >= 0) {

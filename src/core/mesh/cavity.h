@@ -36,17 +36,20 @@ struct Cavity {
   std::size_t triangleCount = 0;
   std::size_t rimCount = 0;
   std::size_t sightCount = 0;
-  std::size_t capacity = 0;         // triangles that there is room for; doubled when it is used up
-  std::vector<std::int32_t> found;  // slots in the order found
-  std::vector<RimEdge> edges;       // the rim, and behind it where it ends
-  std::vector<std::int32_t> made;   // slots of the new triangles along the rim, once it is filled
+  std::size_t capacity = 0;  // triangles that there is room for; doubled when it is used up
+  std::vector<std::int32_t>
+      slots;                   // in [capacity - triangleCount, capacity): last found first; the fan's others behind
+  std::vector<RimEdge> edges;  // the rim, and behind it where it ends
   std::vector<Sight> sights;
   std::vector<Open> open;
 
-  /// The first is where the search began.
-  [[nodiscard]] std::span<const std::int32_t> triangles() const { return {found.data(), triangleCount}; }
+  /// Last found first: the search began at the last one.
+  [[nodiscard]] std::span<const std::int32_t> triangles() const { return {firstSlot(), triangleCount}; }
   [[nodiscard]] std::span<const RimEdge> rim() const { return {edges.data(), rimCount}; }
-  [[nodiscard]] std::span<const std::int32_t> fan() const { return {made.data(), rimCount}; }
+  /// The new triangles along the rim, once it is filled: in the slots of those that gave way, as if these had been
+  /// freed one by one, and then in one or two others.
+  [[nodiscard]] std::span<const std::int32_t> fan() const { return {firstSlot(), rimCount}; }
+  [[nodiscard]] const std::int32_t* firstSlot() const { return slots.data() + (capacity - triangleCount); }
   /// Whether the rim runs all the way round: not that of a point on the boundary.
   [[nodiscard]] bool closed() const { return edges[rimCount].vertex == edges[0].vertex; }
 };
