@@ -268,15 +268,14 @@ std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t dens
   std::uint8_t* const tested = mesh.tested.data();
   std::int32_t* const triangleAround = mesh.vertexTriangle.data();
   const Cavity::RimEdge* const edges = cavity.edges.data();
-  const std::int32_t* const slots = cavity.firstSlot();
+  std::int32_t* const slots = cavity.slots.data() + (cavity.capacity - cavity.triangleCount);
   const std::size_t n = cavity.rimCount;
   const bool closed = cavity.closed();
   std::uint32_t id = mesh.nextId;
-  const std::int32_t firstAfterLast = closed ? 3 * slots[0] + 2 : -1;
+  slots[n] = slots[0];
   std::int32_t before = closed ? 3 * slots[n - 1] + 1 : -1;
   for (std::size_t k = 0; k < n; ++k) {
     const std::int32_t slot = slots[k];
-    const std::int32_t after = k + 1 < n ? 3 * slots[k + 1] + 2 : firstAfterLast;
     const bool wall = edges[k].across < -1;
     const std::int32_t across = wall ? -3 - edges[k].across : edges[k].across;
     if (across >= 0) {
@@ -284,13 +283,14 @@ std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t dens
       all[other].adj[static_cast<std::size_t>(across - 3 * other)] = 3 * slot;
       tested[other] = 0;
     }
-    all[slot] = {{vertex, edges[k].vertex, edges[k + 1].vertex}, {across, after, before}};
+    all[slot] = {{vertex, edges[k].vertex, edges[k + 1].vertex}, {across, 3 * slots[k + 1] + 2, before}};
     ids[slot] = id++;
     flags[slot] = wall ? kConstrained0 : 0;
     tested[slot] = 0;
     triangleAround[edges[k].vertex] = slot;
     before = 3 * slot + 1;
   }
+  if (!closed) all[slots[n - 1]].adj[1] = -1;
   triangleAround[edges[n].vertex] = slots[n - 1];
   triangleAround[vertex] = slots[n - 1];
   mesh.nextId = id;
