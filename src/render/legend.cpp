@@ -232,12 +232,12 @@ void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
       legend.push_back(fillItem(faded(theme.selection, 0.28), "triangles on the way", grouped(insertion.walk.size())));
       break;
     case InsertionPhase::cavity: {
-      LegendItem gone = item(Sample::hatch, "cavity: gives way", grouped(insertion.cavity.triangles.size()));
+      LegendItem gone = item(Sample::hatch, "cavity: gives way", grouped(insertion.cavity.triangles().size()));
       gone.fill = theme.removed;
       legend.push_back(std::move(gone));
       legend.push_back(lineItem(Sample::circle, cavityCircle(theme), "their circumcircles"));
       legend.push_back(
-          lineItem(Sample::line, rimLine(theme), "rim: edges that stay", grouped(insertion.cavity.rim.size())));
+          lineItem(Sample::line, rimLine(theme), "rim: edges that stay", grouped(insertion.cavity.rim().size())));
       break;
     }
     case InsertionPhase::filled:

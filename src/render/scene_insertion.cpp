@@ -80,8 +80,9 @@ void addWalk(const SceneInput& in, Layer& layer) {
 void addCavity(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Cavity& cavity = in.insertion->insertion->cavity;
-  layer.triangles.push_back(patch(mesh, cavity.triangles, in.theme.removed, true));
-  for (const std::int32_t slot : cavity.triangles) {
+  const std::vector<std::int32_t> slots(cavity.triangles().begin(), cavity.triangles().end());
+  layer.triangles.push_back(patch(mesh, slots, in.theme.removed, true));
+  for (const std::int32_t slot : slots) {
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.removed, 1.4f, Dash::dotted, false}));
     const Triangle& t = triangleAt(mesh, slot);
     const Circumcircle circle = circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
@@ -90,7 +91,8 @@ void addCavity(const SceneInput& in, Layer& layer) {
   }
   LineBatch rim;
   rim.style = rimLine(in.theme);
-  for (const std::int32_t half : cavity.rim) {
+  for (const Cavity::RimEdge& edge : cavity.rim()) {
+    const std::int32_t half = halfEdgeOf(mesh, edge);
     const auto first = static_cast<std::uint32_t>(rim.points.size());
     rim.points.push_back(pointOf(mesh, startOf(mesh, half)));
     rim.points.push_back(pointOf(mesh, endOf(mesh, half)));

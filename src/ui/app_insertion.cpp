@@ -41,7 +41,7 @@ Box extentOf(const Insertion& insertion, const Mesh& mesh) {
   };
   if (insertion.candidate >= 0) add(insertion.candidate);
   for (const std::int32_t slot : insertion.walk) add(slot);
-  for (const std::int32_t slot : insertion.cavity.triangles) add(slot);
+  for (const std::int32_t slot : insertion.cavity.triangles()) add(slot);
   if (const Box circles = circlesOf(insertion); !circles.empty()) {
     box.include(circles.lo);
     box.include(circles.hi);

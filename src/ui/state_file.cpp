@@ -223,7 +223,7 @@ std::string insertion(const View& view) {
       .text("stage", infoOf(ui.now->event.stage).key)
       .number("reach", ui.now->measured ? std::max(ui.now->measured->length, ui.now->measured->limit) : 0.0)
       .number("walk", static_cast<double>(ui.now->walk.size()))
-      .number("cavity", static_cast<double>(ui.now->cavity.triangles.size()))
+      .number("cavity", static_cast<double>(ui.now->cavity.triangles().size()))
       .str();
 }
 

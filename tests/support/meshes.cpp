@@ -100,7 +100,7 @@ std::int32_t insert(Mesh& mesh, Point p) {
   }
   Cavity cavity;
   findCavity(mesh, p, location.triangle, cavity);
-  return fillCavity(mesh, cavity, p, VertexKind::steiner, 1);
+  return fillCavity(mesh, cavity, VertexKind::steiner, 1);
 }
 
 Mesh triangulationOf(const std::vector<Point>& points) {

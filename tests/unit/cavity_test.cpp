@@ -8,7 +8,9 @@
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/flip.h"
 #include "core/mesh/locate.h"
+#include "core/mesh/validate.h"
 #include "support/judge.h"
 #include "support/meshes.h"
 
@@ -17,6 +19,69 @@ namespace {
 
 using support::PointSet;
 using support::Random;
+
+// The rim runs around the point once, which sees all of it; the nearest vertex is on it.
+void expectSeesRim(const Mesh& mesh, const Cavity& cavity) {
+  ASSERT_EQ(cavity.rimCount, cavity.triangleCount + 2);
+  EXPECT_TRUE(cavity.closed());
+  double nearest = INFINITY;
+  for (std::size_t k = 0; k < cavity.rimCount; ++k) {
+    const std::int32_t half = halfEdgeOf(mesh, cavity.rim()[k]);
+    const std::int32_t following = halfEdgeOf(mesh, cavity.rim()[(k + 1) % cavity.rimCount]);
+    EXPECT_TRUE(std::ranges::count(cavity.triangles(), triangleOf(half)) == 1);
+    EXPECT_EQ(startOf(mesh, half), cavity.rim()[k].vertex);
+    EXPECT_EQ(endOf(mesh, half), startOf(mesh, following)) << "the rim does not run around the point";
+    EXPECT_GT(orient2d(pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), cavity.at), 0);
+    nearest = std::min(nearest, squaredDistance(pointOf(mesh, startOf(mesh, half)), cavity.at));
+  }
+  EXPECT_EQ(cavity.nearest, nearest);
+}
+
+// The same by brute force: whatever can be reached through edges that are not constrained, triangle by triangle.
+std::vector<std::int32_t> reached(const Mesh& mesh, Point p, std::int32_t start) {
+  std::vector<std::int32_t> all{start};
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t half = 3 * all[k] + i, across = oppositeOf(mesh, half);
+      if (across < 0 || constrained(mesh, half) || std::ranges::count(all, triangleOf(across)) > 0) continue;
+      const auto& v = triangleAt(mesh, triangleOf(across)).v;
+      if (incircle(pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2]), p) > 0)
+        all.push_back(triangleOf(across));
+    }
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+void constrainSome(Mesh& mesh, Random& random, double share) {
+  for (const std::int32_t slot : support::liveSlots(mesh)) {
+    for (int i = 0; i < 3; ++i) {
+      const std::int32_t half = 3 * slot + i;
+      if (oppositeOf(mesh, half) < half || constrained(mesh, half) || random.between(0.0, 1.0) > share) continue;
+      setConstrained(mesh, half, true);
+      setConstrained(mesh, oppositeOf(mesh, half), true);
+      addBoundaryEdge(mesh, {.v0 = startOf(mesh, half), .v1 = endOf(mesh, half), .curve = 9});
+    }
+  }
+}
+
+// The new triangles have the next ids, along the rim, and the slots of those that gave way.
+void expectFilled(const Mesh& before, const Mesh& mesh, const Cavity& cavity) {
+  const std::span<const std::int32_t> fan = cavity.fan(), gone = cavity.triangles();
+  ASSERT_GT(fan.size(), gone.size());
+  EXPECT_TRUE(std::equal(gone.begin(), gone.end(), fan.begin()));
+  EXPECT_EQ(mesh.nextId, before.nextId + fan.size());
+  EXPECT_EQ(mesh.liveCount(), before.liveCount() + fan.size() - gone.size());
+  for (std::size_t k = 0; k < fan.size(); ++k) {
+    EXPECT_EQ(idOf(mesh, fan[k]), before.nextId + k);
+    EXPECT_EQ(mesh.tested[at(fan[k])], 0);
+    EXPECT_EQ(triangleAt(mesh, fan[k]).v[0], static_cast<std::int32_t>(before.points.size()));
+    const std::int32_t beyond = oppositeOf(mesh, 3 * fan[k]);
+    if (beyond >= 0) {
+      EXPECT_EQ(mesh.tested[at(triangleOf(beyond))], 0);
+    }
+  }
+}
 
 class BowyerWatson : public testing::TestWithParam<PointSet> {};
 
@@ -49,25 +114,17 @@ TEST_P(BowyerWatson, TheCavityIsEveryTriangleWhoseCircleHoldsThePoint) {
     Cavity cavity;
     findCavity(mesh, p, location.triangle, cavity);
     ASSERT_EQ(support::difference(mesh, before), "") << "looking changed the mesh";
-    EXPECT_EQ(cavity.triangles.front(), location.triangle);
+    EXPECT_EQ(cavity.triangles().back(), location.triangle);
     std::vector<std::int32_t> expected;
     for (const std::int32_t slot : support::liveSlots(mesh)) {
       const auto& v = triangleAt(mesh, slot).v;
       if (incircle(pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2]), p) > 0) expected.push_back(slot);
     }
-    std::ranges::sort(cavity.triangles);
-    EXPECT_EQ(cavity.triangles, expected);
-    ASSERT_EQ(cavity.rim.size(), cavity.triangles.size() + 2);
-    double nearest = INFINITY;
-    for (std::size_t k = 0; k < cavity.rim.size(); ++k) {
-      const std::int32_t half = cavity.rim[k];
-      const std::int32_t following = cavity.rim[(k + 1) % cavity.rim.size()];
-      EXPECT_EQ(endOf(mesh, half), startOf(mesh, following)) << "the rim does not run around the point";
-      EXPECT_GT(orient2d(pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), p), 0);
-      nearest = std::min(nearest, squaredDistance(pointOf(mesh, startOf(mesh, half)), p));
-    }
-    EXPECT_EQ(nearestSquaredDistance(mesh, cavity, p), nearest);
-    for (const Point vertex : mesh.points) EXPECT_GE(squaredDistance(vertex, p), nearest);
+    std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+    std::ranges::sort(found);
+    EXPECT_EQ(found, expected);
+    expectSeesRim(mesh, cavity);
+    for (const Point vertex : mesh.points) EXPECT_GE(squaredDistance(vertex, p), cavity.nearest);
   }
 }
 
@@ -75,29 +132,109 @@ TEST(Cavity, FillingGivesConsecutiveFreshIdsAndForgetsOldTests) {
   Random random{3};
   Mesh mesh = support::triangulationOf(support::randomPoints(random, 40, {0, 0}, {1, 1}));
   std::ranges::fill(mesh.tested, std::uint8_t{0xff});
-  const std::uint32_t firstId = mesh.nextId;
   const Point p{0.51, 0.49};
   Cavity cavity;
   findCavity(mesh, p, walkTo(mesh, 0, p).triangle, cavity);
-  std::vector<std::int32_t> beyond;
-  for (const std::int32_t half : cavity.rim) {
-    if (oppositeOf(mesh, half) >= 0) beyond.push_back(triangleOf(oppositeOf(mesh, half)));
-  }
-  const std::int32_t vertex = fillCavity(mesh, cavity, p, VertexKind::front2, 5);
+  const Mesh before = mesh;
+  const std::int32_t vertex = fillCavity(mesh, cavity, VertexKind::front2, 5);
+  expectFilled(before, mesh, cavity);
   EXPECT_EQ(pointOf(mesh, vertex), p);
   EXPECT_EQ(mesh.kinds[at(vertex)], VertexKind::front2);
   EXPECT_EQ(mesh.density[at(vertex)], 5);
-  EXPECT_EQ(mesh.nextId, firstId + cavity.rim.size());
   Star star;
   starOf(mesh, vertex, star);
   EXPECT_TRUE(star.closed);
-  ASSERT_EQ(star.rim.size(), cavity.rim.size());
-  for (const std::int32_t rim : star.rim) {
-    EXPECT_GE(idOf(mesh, triangleOf(rim)), firstId);
-    EXPECT_EQ(mesh.tested[at(triangleOf(rim))], 0);
+  ASSERT_EQ(star.rim.size(), cavity.fan().size());
+  for (std::size_t k = 0; k < star.rim.size(); ++k)  // the star begins at the last triangle made
+    EXPECT_EQ(triangleOf(star.rim[(k + 1) % star.rim.size()]), cavity.fan()[k]);
+  EXPECT_EQ(mesh.lastTriangle, cavity.fan().back());
+}
+
+TEST(Cavity, IsWhatCanBeReachedBetweenBoundaryEdges) {
+  Cavity cavity;
+  int inserted = 0;
+  for (const PointSet& set : support::difficultPoints()) {
+    SCOPED_TRACE(set.name);
+    Box box;
+    for (const Point p : set.points) box.include(p);
+    for (const double share : {0.05, 0.3}) {
+      Random random{static_cast<std::uint64_t>(100 * share)};
+      Mesh mesh = support::triangulationOf(set.points);
+      constrainSome(mesh, random, share);
+      for (const Point p : support::randomPoints(random, 60, box.lo, box.hi)) {
+        const Location location = walkTo(mesh, mesh.lastTriangle, p);
+        if (location.blocked >= 0) continue;
+        const Mesh before = mesh;
+        findCavity(mesh, p, location.triangle, cavity);
+        ASSERT_EQ(support::difference(mesh, before), "") << "looking changed the mesh";
+        std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+        std::ranges::sort(found);
+        ASSERT_EQ(found, reached(mesh, p, location.triangle));
+        // On a boundary edge, or where a vertex is already, nothing can be filled.
+        const auto seesEdge = [&](const Cavity::RimEdge& edge) {
+          const std::int32_t half = halfEdgeOf(mesh, edge);
+          return orient2d(pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), p) > 0;
+        };
+        if (!std::ranges::all_of(cavity.rim(), seesEdge)) continue;
+        expectSeesRim(mesh, cavity);
+        fillCavity(mesh, cavity, VertexKind::steiner, 7);
+        expectFilled(before, mesh, cavity);
+        ++inserted;
+      }
+      support::expectValid(mesh);
+      if (HasFailure()) return;
+    }
   }
-  for (const std::int32_t slot : beyond) EXPECT_EQ(mesh.tested[at(slot)], 0);
-  EXPECT_TRUE(mesh.alive(mesh.lastTriangle));
+  EXPECT_GT(inserted, 100);
+}
+
+// Very many vertices on one circle: the cavity of a point within it is larger than any scratch is at first.
+TEST(Cavity, MayHaveVeryManyTriangles) {
+  Mesh mesh = support::boxMesh({-4, -4}, {4, 4});
+  constexpr int kHalf = 1500;
+  for (int k = 0; k < 2 * kHalf; ++k) {
+    const double s = (k % kHalf + 0.5) / kHalf;  // the tangent of half the angle
+    const Point p{(1 - s * s) / (1 + s * s), 2 * s / (1 + s * s)};
+    support::insert(mesh, k < kHalf ? p : Point{-p.x, -p.y});
+  }
+  Cavity cavity;
+  for (const Point p : {Point{0.001, -0.002}, Point{0.25, 0.25}}) {
+    const Mesh before = mesh;
+    const std::int32_t start = walkTo(mesh, mesh.lastTriangle, p).triangle;
+    findCavity(mesh, p, start, cavity);
+    std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+    std::ranges::sort(found);
+    EXPECT_EQ(found, reached(mesh, p, start));
+    expectSeesRim(mesh, cavity);
+    if (before.points.size() == 4 + 2 * kHalf) {
+      EXPECT_GT(found.size(), 2000u);
+    }
+    fillCavity(mesh, cavity, VertexKind::steiner, 1);
+    expectFilled(before, mesh, cavity);
+  }
+  support::expectValid(mesh);
+}
+
+// Around a hole that holds the point, every circle holds it too: the cavity comes to an end all the same.
+TEST(Cavity, AroundAHoleEntersNoTriangleTwice) {
+  std::vector<Point> points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const double r : {0.1, 1.0})
+    for (const Point p : {Point{r, 0}, Point{0, r}, Point{-r, 0}, Point{0, -r}}) points.push_back(p);
+  for (int k = 0; k < 4; ++k) {
+    const int next = (k + 1) % 4;
+    triangles.push_back({k, 4 + k, 4 + next});
+    triangles.push_back({k, 4 + next, next});
+  }
+  Mesh mesh = support::meshOf(points, triangles);
+  const Mesh before = mesh;
+  Cavity cavity;
+  findCavity(mesh, {0, 0}, 0, cavity);
+  EXPECT_EQ(support::difference(mesh, before), "");
+  std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+  std::ranges::sort(found);
+  EXPECT_EQ(found, reached(mesh, {0, 0}, 0));
+  EXPECT_EQ(found.size(), 8u);
 }
 
 TEST(Cavity, DoesNotReachThroughABoundaryEdge) {
@@ -118,10 +255,10 @@ TEST(Cavity, DoesNotReachThroughABoundaryEdge) {
   const Point p{1.999, 1.5};
   Cavity cavity;
   findCavity(mesh, p, triangleOf(findHalfEdge(mesh, 15, 16)), cavity);
-  for (const std::int32_t slot : cavity.triangles) {
+  for (const std::int32_t slot : cavity.triangles()) {
     for (const std::int32_t v : triangleAt(mesh, slot).v) EXPECT_LE(pointOf(mesh, v).x, 2.0);
   }
-  fillCavity(mesh, cavity, p, VertexKind::steiner, 1);
+  fillCavity(mesh, cavity, VertexKind::steiner, 1);
   support::expectValid(mesh);
 }
 
@@ -147,7 +284,7 @@ TEST(SplitCavity, SplitsInnerAndOuterBoundaryEdges) {
       const double t = 0.5 * (old.t0 + old.t1);
       Cavity cavity;
       ASSERT_TRUE(findSplitCavity(mesh, middle, findHalfEdge(mesh, old.v0, old.v1), cavity));
-      const std::int32_t vertex = fillSplitCavity(mesh, cavity, middle, e, t, 1);
+      const std::int32_t vertex = fillSplitCavity(mesh, cavity, e, t, 1);
       EXPECT_EQ(mesh.kinds[at(vertex)], VertexKind::split);
       const BoundaryEdge& first = mesh.edges[at(e)];
       const BoundaryEdge& second = mesh.edges.back();
@@ -171,9 +308,50 @@ TEST(SplitCavity, RefusesAPointThatDoesNotSeeTheRim) {
   Cavity cavity;
   // Above the vertex over the side it splits.
   EXPECT_FALSE(findSplitCavity(mesh, {2, 0.75}, findHalfEdge(mesh, 0, 1), cavity));
-  EXPECT_TRUE(cavity.triangles.empty());
-  EXPECT_TRUE(cavity.rim.empty());
+  EXPECT_TRUE(cavity.triangles().empty());
+  EXPECT_TRUE(cavity.rim().empty());
   EXPECT_EQ(support::difference(mesh, before), "");
+}
+
+// Points on the chords, and further and further off them: as on a curve that is bent too much, where the cavity of one
+// side may reach round the end of a chain to the other.
+TEST(SplitCavity, LeavesASoundMeshHoweverFarOffTheChord) {
+  Cavity cavity;
+  int split = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random{seed};
+    Mesh mesh = support::triangulationOf(support::randomPoints(random, 60, {0, 0}, {1, 1}));
+    constrainSome(mesh, random, 0.1);
+    const double most = 0.4 * static_cast<double>(seed % 4);  // of the edge
+    for (std::size_t e = 4; e < std::min<std::size_t>(mesh.edges.size(), 60); ++e) {
+      const BoundaryEdge edge = mesh.edges[e];
+      const Point a = pointOf(mesh, edge.v0), b = pointOf(mesh, edge.v1);
+      const Point p = midpoint(a, b) + random.between(-most, most) * perpendicular(b - a);
+      const Mesh before = mesh;
+      const std::int32_t side = findHalfEdge(mesh, edge.v0, edge.v1);
+      if (!findSplitCavity(mesh, p, side, cavity)) {
+        EXPECT_EQ(support::difference(mesh, before), "");
+        ++refused;
+        continue;
+      }
+      ++split;
+      std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+      std::ranges::sort(found);
+      ASSERT_EQ(std::ranges::adjacent_find(found), found.end()) << "seed " << seed << ", edge " << e;
+      fillSplitCavity(mesh, cavity, static_cast<std::int32_t>(e), 0.5 * (edge.t0 + edge.t1), 1);
+      expectFilled(before, mesh, cavity);
+      Star star;
+      starOf(mesh, static_cast<std::int32_t>(mesh.points.size()) - 1, star);
+      std::vector<Flip> flips;
+      restoreDelaunay(mesh, star.rim, flips);
+      // Far off the chord the mesh is no longer Delaunay all over, and may leave its place; but it is a mesh.
+      for (const Violation& violation : validate(mesh))
+        EXPECT_TRUE(violation.what == Broken::delaunay || violation.what == Broken::overlap) << violation.message;
+      if (HasFailure()) FAIL() << "seed " << seed << ", edge " << e;
+    }
+  }
+  EXPECT_GT(split, 500);
+  EXPECT_GT(refused, 50);
 }
 
 }  // namespace

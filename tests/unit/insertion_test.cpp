@@ -54,12 +54,12 @@ void expectAgreement(const MeshState& before, const MeshState& after, const Even
   EXPECT_EQ(found->at, pointOf(after.mesh, static_cast<std::int32_t>(event.vertex)));
   // The cavity is what the insertion took away; a split may have flipped more.
   Ids cavity;
-  for (const std::int32_t slot : found->cavity.triangles) cavity.push_back(idOf(mesh, slot));
+  for (const std::int32_t slot : found->cavity.triangles()) cavity.push_back(idOf(mesh, slot));
   std::sort(cavity.begin(), cavity.end());
   const Ids gone = goneBetween(before, after);
   EXPECT_EQ(cavity.size(), event.removedCount);
   EXPECT_TRUE(std::includes(gone.begin(), gone.end(), cavity.begin(), cavity.end()));
-  if (event.createdCount == found->cavity.rim.size()) {
+  if (event.createdCount == found->cavity.rimCount) {
     EXPECT_EQ(cavity, gone);
   }
   // The walk goes from triangle to neighbour and ends in the cavity, where the point is.

@@ -288,7 +288,7 @@ TEST(Scene, TheLegendOfAPhaseIsOfWhatThePhaseDraws) {
   const Scene cavity = sceneOf(InsertionPhase::cavity);
   const LegendItem* const gone = legendItem(cavity, "cavity: gives way");
   ASSERT_NE(gone, nullptr);
-  EXPECT_EQ(gone->value, std::to_string(apart->cavity.triangles.size()));
+  EXPECT_EQ(gone->value, std::to_string(apart->cavity.triangles().size()));
 }
 
 TEST(Scene, AnEmptyStateGivesAnEmptyPicture) {

@@ -49,7 +49,7 @@ struct Claim {
 // What the paper asks of the triangle `slot` in this step; `other` is the adjacent triangle that the event names.
 std::optional<Claim> claimOf(const MeshState& state, Stage step, std::int32_t slot, std::int32_t other) {
   const Corners t = cornersOf(state.mesh, slot);
-  const Point centre = shapeOf(state.mesh, slot).centre;
+  const Point centre = circumcentre(t.a, t.b, t.c);
   const double radius = circumradius(t);
   const auto h = [&](Point p) { return edgeLengthAt(state.tree, p); };
   switch (step) {
@@ -230,7 +230,8 @@ TEST_P(Rules, NothingIsLeftForAStepButWhatItRefused) {
   const auto expectNothingLeft = [&](Stage step) {
     for (const std::int32_t slot : support::liveSlots(state.mesh)) {
       Proposal proposal;
-      if (!proposes(step, state, slot, shapeOf(state.mesh, slot), proposal)) continue;
+      LeafPath path;
+      if (!proposes(step, state, slot, path, proposal)) continue;
       EXPECT_TRUE(std::ranges::any_of(events,
                                       [&](const Event& e) {
                                         return e.kind == EventKind::vertex_refused && e.rule == ruleOf(step) &&
@@ -258,12 +259,11 @@ TEST_P(Rules, QuietIsWhatNoRuleProposesFor) {
     if (now.tick % 16 != 0) return;
     quiet = asked = 0;
     for (const std::int32_t slot : support::liveSlots(now.mesh)) {
-      const Shape shape = shapeOf(now.mesh, slot);
-      const Quiet all = clearlyQuiet(now, slot, shape);
+      const Quiet all = clearlyQuiet(now, slot);
       Proposal proposal;
-      EXPECT_FALSE(all.step3 && proposes(Stage::step3, now, slot, shape, proposal)) << slot;
-      EXPECT_FALSE(all.step4 && proposes(Stage::step4, now, slot, shape, proposal)) << slot;
-      EXPECT_FALSE(all.step5 && proposes(Stage::step5, now, slot, shape, proposal)) << slot;
+      LeafPath path;
+      for (const Stage step : {Stage::step2, Stage::step3, Stage::step4, Stage::step5})
+        EXPECT_FALSE(all.of(step) && proposes(step, now, slot, path, proposal)) << slot;
       EXPECT_FALSE(all.bounds && breaksBound(now.mesh, slot)) << slot;
       ++asked;
       if (all.step3 && all.step4 && all.step5 && all.bounds) ++quiet;
@@ -314,7 +314,8 @@ TEST(InsertionRules, NearTiesAreInserted) {
   ASSERT_GE(edge, 0);
   ASSERT_EQ(apexOf(mesh, edge), 6);
   Proposal proposal;
-  EXPECT_TRUE(proposes(Stage::step3, state, triangleOf(edge), shapeOf(mesh, triangleOf(edge)), proposal));
+  LeafPath path;
+  EXPECT_TRUE(proposes(Stage::step3, state, triangleOf(edge), path, proposal));
   EXPECT_NEAR(proposal.measured, proposal.limit, 1e-12);
 }
 

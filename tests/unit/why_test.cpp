@@ -246,11 +246,12 @@ TEST(WhyNot, ARuleIsSilentExactlyWhereItsConditionDoesNotHold) {
         for (int step = 2; step <= 5; ++step) {
           const auto stage = static_cast<Stage>(static_cast<int>(Stage::step1) + step - 1);
           Proposal proposal;
+          LeafPath path;
           if (text.find("Step " + std::to_string(step) + " proposed nothing") == 0) {
-            EXPECT_FALSE(proposes(stage, all.state(), slot, shapeOf(mesh, slot), proposal)) << sample << ": " << text;
+            EXPECT_FALSE(proposes(stage, all.state(), slot, path, proposal)) << sample << ": " << text;
             ++silent;
           } else if (text.find(": Step " + std::to_string(step) + " proposed a vertex") != std::string::npos) {
-            EXPECT_TRUE(proposes(stage, all.state(), slot, shapeOf(mesh, slot), proposal)) << sample << ": " << text;
+            EXPECT_TRUE(proposes(stage, all.state(), slot, path, proposal)) << sample << ": " << text;
           }
         }
       }

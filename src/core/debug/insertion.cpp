@@ -97,20 +97,20 @@ std::string walkCaption(const Insertion& insertion, const Mesh& mesh) {
 }
 
 std::string cavityCaption(const Insertion& insertion) {
-  const std::size_t n = insertion.cavity.triangles.size();
+  const std::size_t n = insertion.cavity.triangleCount;
   return fmt::format(
       "The cavity: {} {} the point in {} and can be reached without crossing the boundary. {} rim {} stay.", n,
       n == 1 ? "triangle has" : "triangles have", n == 1 ? "its circumcircle" : "their circumcircles",
-      insertion.cavity.rim.size(), insertion.cavity.rim.size() == 1 ? "edge" : "edges");
+      insertion.cavity.rimCount, insertion.cavity.rimCount == 1 ? "edge" : "edges");
 }
 
 std::string filledCaption(const Insertion& insertion) {
   const Event& e = insertion.event;
-  const std::size_t gone = insertion.cavity.triangles.size();
+  const std::size_t gone = insertion.cavity.triangleCount;
   std::string text =
       fmt::format("Vertex {} is joined to every rim edge: {} {} gave way to {}, from triangle {} on.", e.vertex, gone,
-                  gone == 1 ? "triangle" : "triangles", insertion.cavity.rim.size(), e.created);
-  if (e.createdCount > insertion.cavity.rim.size())
+                  gone == 1 ? "triangle" : "triangles", insertion.cavity.rimCount, e.created);
+  if (e.createdCount > insertion.cavity.rimCount)
     text += " Edges were flipped after that, because the point on the curve lies off the chord.";
   return text;
 }

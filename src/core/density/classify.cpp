@@ -41,6 +41,7 @@ double classifyCells(Quadtree& tree, const Domain& domain) {
   // point-in-domain test decides a whole region.
   std::vector<std::uint8_t> seen(tree.cells.size(), 0);
   std::vector<std::int32_t> stack, around;
+  LeafPath path;
   for (std::size_t k = 0; k < tree.cells.size(); ++k) {
     if (tree.cells[k].child >= 0 || seen[k] != 0 || tree.cells[k].type == CellType::boundary) continue;
     const double half = 0.5 * tree.side(tree.cells[k]);
@@ -50,7 +51,7 @@ double classifyCells(Quadtree& tree, const Domain& domain) {
     while (!stack.empty()) {
       const std::int32_t leaf = stack.back();
       stack.pop_back();
-      neighboursOf(tree, leaf, around);
+      neighboursOf(tree, leaf, path, around);
       bool byBoundary = false;
       for (const std::int32_t other : around) {
         const auto o = static_cast<std::size_t>(other);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace triscope {
 namespace {
@@ -13,24 +14,44 @@ const Cell& cellAt(const Quadtree& tree, std::int32_t index) { return tree.cells
 
 double powerOfTwo(int exponent) { return static_cast<double>(1ull << exponent); }
 
-// Leaf over the lattice square (x, y) of rank-1 side.
-std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y) {
-  std::int32_t index = 0;
-  int shift = cellAt(tree, 0).rank - 2;
-  for (;;) {
-    const std::int32_t child = cellAt(tree, index).child;
-    if (child < 0) return index;
-    index = child + static_cast<std::int32_t>((x >> shift & 1u) | (y >> shift & 1u) << 1);
-    --shift;
+constexpr std::array<double, 192> kRankLengths = [] {
+  std::array<double, 192> lengths{};
+  for (std::size_t i = 0; i < lengths.size(); ++i) lengths[i] = kThird[i % 3] * static_cast<double>(1ull << (i / 3));
+  return lengths;
+}();
+
+bool holds(const Cell& cell, std::uint32_t x, std::uint32_t y) {
+  const std::uint32_t side = 1u << (cell.rank - 1);
+  return x - cell.x < side && y - cell.y < side;  // what is less wraps round to much more
+}
+
+// Leaf over the lattice square (x, y) of rank-1 side. The search begins at the smallest cell of the path that may hold
+// the square: any cell that does lies above the leaf.
+std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y, LeafPath& path) {
+  const std::size_t count = tree.cells.size();
+  if (static_cast<std::size_t>(path.leaf) < count) {
+    const Cell& last = cellAt(tree, path.leaf);
+    if (last.child < 0 && holds(last, x, y)) return path.leaf;
   }
+  const auto common = static_cast<std::size_t>(std::bit_width((x ^ path.x) | (y ^ path.y)) + 1);
+  std::int32_t index = path.cells[common];
+  if (static_cast<std::size_t>(index) >= count || !holds(cellAt(tree, index), x, y)) index = 0;
+  for (;;) {
+    const Cell& cell = cellAt(tree, index);
+    path.cells[cell.rank] = index;
+    if (cell.child < 0) break;
+    const int shift = cell.rank - 2;
+    index = cell.child + static_cast<std::int32_t>((x >> shift & 1u) | (y >> shift & 1u) << 1);
+  }
+  path.leaf = index;
+  path.x = x;
+  path.y = y;
+  return index;
 }
 
 }  // namespace
 
-double rankLength(int densityRank) {
-  const int i = densityRank - 1;
-  return kThird[static_cast<std::size_t>(i % 3)] * powerOfTwo(i / 3);
-}
+double rankLength(int densityRank) { return kRankLengths[static_cast<std::size_t>(densityRank - 1)]; }
 
 int rankAtMost(double lengthInMinEdges) {
   int rank = 1;
@@ -77,48 +98,83 @@ std::int32_t splitCell(Quadtree& tree, std::int32_t leaf) {
   return first;
 }
 
-void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found) {
-  found.clear();
+namespace {
+
+// Visits the leaves beside a leaf, some of them twice, until a visit returns true; returns that leaf, or -1.
+template <class Visit>
+std::int32_t firstNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path, const Visit& visit) {
   const Cell& cell = cellAt(tree, leaf);
   const std::uint32_t side = 1u << (cell.rank - 1);
   const std::uint32_t all = 1u << (cellAt(tree, 0).rank - 1);
-  const auto visit = [&](std::int64_t x, std::int64_t y) -> std::uint32_t {
-    if (x < 0 || y < 0 || x >= all || y >= all) return 0;
-    const std::int32_t other = leafOver(tree, static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-    if (std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
-    return 1u << (cellAt(tree, other).rank - 1);
-  };
   const std::int64_t left = static_cast<std::int64_t>(cell.x) - 1;
   const std::int64_t right = static_cast<std::int64_t>(cell.x) + side;
   const std::int64_t below = static_cast<std::int64_t>(cell.y) - 1;
   const std::int64_t above = static_cast<std::int64_t>(cell.y) + side;
   // Along each side, one step past the leaf just found.
-  const auto along = [&](bool vertical, std::int64_t fixed) {
-    const std::int64_t from = vertical ? cell.y : cell.x;
-    for (std::int64_t s = from; s < from + side;) {
-      const std::uint32_t step = vertical ? visit(fixed, s) : visit(s, fixed);
-      if (step == 0) return;
+  const auto along = [&](bool vertical, std::int64_t fixed) -> std::int32_t {
+    if (fixed < 0 || fixed >= all) return -1;
+    const auto line = static_cast<std::uint32_t>(fixed);
+    const std::uint32_t from = vertical ? cell.y : cell.x;
+    for (std::uint32_t s = from; s < from + side;) {
+      const std::int32_t other = vertical ? leafOver(tree, line, s, path) : leafOver(tree, s, line, path);
+      if (visit(other)) return other;
+      const std::uint32_t step = 1u << (cellAt(tree, other).rank - 1);
       s = (s / step + 1) * step;
     }
+    return -1;
   };
-  along(false, below);
-  along(true, left);
-  along(true, right);
-  along(false, above);
+  std::int32_t found = along(false, below);
+  if (found < 0) found = along(true, left);
+  if (found < 0) found = along(true, right);
+  if (found < 0) found = along(false, above);
+  return found;
 }
 
-std::int32_t leafAt(const Quadtree& tree, Point p) {
+}  // namespace
+
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, LeafPath& path, std::vector<std::int32_t>& found) {
+  found.clear();
+  firstNeighbour(tree, leaf, path, [&](std::int32_t other) {
+    if (std::find(found.begin(), found.end(), other) == found.end()) found.push_back(other);
+    return false;
+  });
+}
+
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found) {
+  LeafPath path;
+  neighboursOf(tree, leaf, path, found);
+}
+
+std::int32_t unvisitedNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path) {
+  return firstNeighbour(tree, leaf, path, [&](std::int32_t other) { return cellAt(tree, other).visited == 0; });
+}
+
+std::int32_t coarseNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path) {
+  const int most = cellAt(tree, leaf).rank + 1;
+  return firstNeighbour(tree, leaf, path, [&](std::int32_t other) { return cellAt(tree, other).rank > most; });
+}
+
+std::int32_t leafAt(const Quadtree& tree, Point p, LeafPath& path) {
   const std::uint32_t all = 1u << (cellAt(tree, 0).rank - 1);
   const double scale = 0.25 * tree.minEdgeInverse;
   const auto lattice = [all](double s) -> std::uint32_t {
     if (!(s > 0.0)) return 0;
     return s >= static_cast<double>(all) ? all - 1 : static_cast<std::uint32_t>(s);
   };
-  return leafOver(tree, lattice((p.x - tree.origin.x) * scale), lattice((p.y - tree.origin.y) * scale));
+  return leafOver(tree, lattice((p.x - tree.origin.x) * scale), lattice((p.y - tree.origin.y) * scale), path);
 }
 
+std::int32_t leafAt(const Quadtree& tree, Point p) {
+  LeafPath path;
+  return leafAt(tree, p, path);
+}
+
+int densityRankAt(const Quadtree& tree, Point p, LeafPath& path) { return cellAt(tree, leafAt(tree, p, path)).density; }
 int densityRankAt(const Quadtree& tree, Point p) { return cellAt(tree, leafAt(tree, p)).density; }
 
+double edgeLengthAt(const Quadtree& tree, Point p, LeafPath& path) {
+  return tree.minEdge * rankLength(densityRankAt(tree, p, path));
+}
 double edgeLengthAt(const Quadtree& tree, Point p) { return tree.minEdge * rankLength(densityRankAt(tree, p)); }
 
 }  // namespace triscope

@@ -2,6 +2,7 @@
 // Density rank i asks for the edge length Δx·2^((i-1)/3); cell rank j has side 4Δx·2^(j-1).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -51,13 +52,29 @@ Quadtree rootOver(const Box& box, double minEdge);
 /// Gives a leaf four children that inherit its density as far as their rank allows. Returns the first.
 std::int32_t splitCell(Quadtree& tree, std::int32_t leaf);
 
+/// The way down to the leaf found last. Scratch that makes the search for a leaf nearby short: what is found does not
+/// depend on it, whatever tree and place it comes from.
+struct LeafPath {
+  std::int32_t leaf = 0;
+  std::uint32_t x = 0;  // lattice square that was searched for
+  std::uint32_t y = 0;
+  std::array<std::int32_t, 34> cells{};  // by rank
+};
+
 /// Leaves that share a side, or part of one, with the leaf, each once, in a fixed order.
+void neighboursOf(const Quadtree& tree, std::int32_t leaf, LeafPath& path, std::vector<std::int32_t>& found);
 void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int32_t>& found);
+/// The first of them that the advancing front has not visited, or that is coarser by more than a rank; -1 when none is.
+std::int32_t unvisitedNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path);
+std::int32_t coarseNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path);
 
 /// Leaf that holds p (points outside the root go to the nearest leaf).
+std::int32_t leafAt(const Quadtree& tree, Point p, LeafPath& path);
 std::int32_t leafAt(const Quadtree& tree, Point p);
 /// Density rank and edge length at p.
+int densityRankAt(const Quadtree& tree, Point p, LeafPath& path);
 int densityRankAt(const Quadtree& tree, Point p);
+double edgeLengthAt(const Quadtree& tree, Point p, LeafPath& path);
 double edgeLengthAt(const Quadtree& tree, Point p);
 
 }  // namespace triscope

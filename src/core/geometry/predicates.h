@@ -59,4 +59,13 @@ inline int incircle(Point a, Point b, Point c, Point d) {
   return detail::incircleExact(a, b, c, d);
 }
 
+/// The same from what is known of the corners as seen from d: twice the areas of the triangles d a b, d b c and d c a,
+/// and the squared distances; 0 when incircle has to say. The corners run clockwise. By |bx cy| + |cx by| <= |b| |c| <=
+/// (|b|² + |c|²) / 2 the error bound of the static filter is at most this one, whose last digits are rounded up.
+inline int incircleSeen(double ab, double bc, double ca, double aSquared, double bSquared, double cSquared) {
+  const double det = aSquared * bc + bSquared * ca + cSquared * ab;
+  const double bound = 1.1103e-15 * (aSquared * bSquared + cSquared * (aSquared + bSquared));
+  return det < -bound ? 1 : (det > bound ? -1 : 0);
+}
+
 }  // namespace triscope

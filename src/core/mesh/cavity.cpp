@@ -1,128 +1,312 @@
 #include "core/mesh/cavity.h"
 
+#include <algorithm>
+
 #include "core/geometry/predicates.h"
+#include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
 namespace {
 
-bool inCircle(const Mesh& mesh, std::int32_t slot, Point p) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return incircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]), p) > 0;
+constexpr std::size_t kFirstCapacity = 64;
+
+// Each triangle found brings one vertex and turns one edge into two, so that this is room enough for all lists.
+void makeRoom(Cavity& cavity, std::size_t triangles) {
+  constexpr std::size_t kMargin = 8;  // vertices and edges of the first two triangles, and where the rim ends
+  std::vector<std::int32_t> slots(triangles + kMargin);
+  const std::span<const std::int32_t> found = cavity.triangles();
+  std::copy(found.begin(), found.end(), slots.begin() + static_cast<std::ptrdiff_t>(triangles - found.size()));
+  cavity.slots.swap(slots);
+  cavity.capacity = triangles;
+  cavity.edges.resize(triangles + kMargin);
+  cavity.sights.resize(triangles + kMargin);
+  cavity.open.resize(triangles + kMargin);
 }
 
-// Depth first, edges counter-clockwise, so that the rim comes out in order around p.
-void grow(Mesh& mesh, Point p, Cavity& cavity, std::vector<std::int32_t>& stack) {
-  while (!stack.empty()) {
-    const std::int32_t half = stack.back();
-    stack.pop_back();
-    const std::int32_t across = oppositeOf(mesh, half);
-    const bool wall = across < 0 || constrained(mesh, half);
-    const std::int32_t slot = wall ? -1 : triangleOf(across);
-    if (slot < 0 || (mesh.flags[at(slot)] & kInCavity) != 0 || !inCircle(mesh, slot, p)) {
-      cavity.rim.push_back(half);
-      continue;
+Cavity::Sight sightOf(const Mesh& mesh, std::int32_t vertex, Point p) {
+  const Point q = pointOf(mesh, vertex);
+  const double x = q.x - p.x, y = q.y - p.y;
+  return {x, y, x * x + y * y, vertex};
+}
+
+double twiceAreaSeen(const Cavity::Sight& from, const Cavity::Sight& to) { return from.x * to.y - to.x * from.y; }
+
+// What lies beyond edge i of a triangle, as in Cavity::RimEdge.
+std::int32_t beyond(const Triangle& t, std::int32_t slot, std::uint8_t flags, int i) {
+  const std::int32_t across = t.adj[static_cast<std::size_t>(i)];
+  return across < 0 || (flags >> i & 1) != 0 ? -2 - (3 * slot + i) : across;
+}
+
+// Same as half / 3 of a half-edge, which is never negative: the compiler does not know.
+std::int32_t thirdOf(std::int32_t half) { return static_cast<std::int32_t>(static_cast<std::uint32_t>(half) / 3u); }
+
+void begin(Cavity& cavity, Point p) {
+  if (cavity.capacity == 0) makeRoom(cavity, kFirstCapacity);
+  cavity.at = p;
+  cavity.nearest = 1e300;
+  cavity.walled = false;
+  cavity.triangleCount = 0;
+  cavity.rimCount = 0;
+  cavity.sightCount = 0;
+}
+
+std::int32_t look(const Mesh& mesh, Cavity& cavity, std::int32_t vertex) {
+  const Cavity::Sight sight = sightOf(mesh, vertex, cavity.at);
+  cavity.nearest = std::min(cavity.nearest, sight.squaredDistance);
+  cavity.sights[cavity.sightCount] = sight;
+  return static_cast<std::int32_t>(cavity.sightCount++);
+}
+
+Cavity::Open openEdge(const Mesh& mesh, const Cavity& cavity, std::int32_t slot, int i, std::int32_t from,
+                      std::int32_t to) {
+  return {from, to, beyond(triangleAt(mesh, slot), slot, mesh.flags[at(slot)], i),
+          twiceAreaSeen(cavity.sights[at(from)], cavity.sights[at(to)])};
+}
+
+void take(Cavity& cavity, std::int32_t slot) {
+  if (cavity.triangleCount == cavity.capacity) makeRoom(cavity, 2 * cavity.capacity);
+  cavity.slots[cavity.capacity - ++cavity.triangleCount] = slot;
+}
+
+// From the open edges, of which there is at least one. Depth first, edges counter-clockwise, so that the rim comes out
+// in order around the point. Each vertex is looked at once, and an in-circle test needs but one new one: the areas with
+// the other two edges of a triangle are those of its own test.
+// With kMarks, what is in the cavity is marked, and not entered again. Where the first triangle holds the point that
+// cannot come up, since each other one is entered through the one edge that hides it from the point; but it can where
+// the point splits an edge of a bent curve, or lies in a hole. Without marks such a cavity has no end: false when it
+// has more triangles than there are.
+template <bool kMarks>
+bool grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
+  const Triangle* const all = mesh.triangles.data();
+  const Point* const points = mesh.points.data();
+  std::uint8_t* const flags = mesh.flags.data();
+  const Point p = cavity.at;
+  std::int32_t* slots = cavity.slots.data();
+  Cavity::RimEdge* edges = cavity.edges.data();
+  Cavity::Sight* sights = cavity.sights.data();
+  Cavity::Open* open = cavity.open.data();
+  std::size_t count = cavity.triangleCount, rim = cavity.rimCount, capacity = cavity.capacity;
+  auto sightCount = static_cast<std::int32_t>(cavity.sightCount);
+  double nearest = cavity.nearest;
+  bool walled = cavity.walled;
+
+  // The edge looked across and its ends, one value each: a structure copied just after its members were written waits
+  // for the writes.
+  std::int32_t from = 0, to = 0, across = 0;
+  double area = 0.0, ax = 0.0, ay = 0.0, aSquared = 0.0, bx = 0.0, by = 0.0, bSquared = 0.0;
+  const auto next = [&] {
+    const Cavity::Open& edge = open[--depth];
+    from = edge.from;
+    to = edge.to;
+    across = edge.across;
+    area = edge.area;
+    ax = sights[from].x;
+    ay = sights[from].y;
+    aSquared = sights[from].squaredDistance;
+    bx = sights[to].x;
+    by = sights[to].y;
+    bSquared = sights[to].squaredDistance;
+  };
+  next();
+  for (;;) {
+    if (across >= 0) {
+      const std::int32_t slot = thirdOf(across);
+      const int corner = across - 3 * slot;
+      const Triangle& t = all[slot];
+      const std::int32_t apex = t.v[static_cast<std::size_t>(corner)];
+      const double x = points[apex].x - p.x, y = points[apex].y - p.y;
+      const double squared = x * x + y * y;
+      const double bc = bx * y - x * by;
+      const double ca = x * ay - ax * y;
+      int inside = incircleSeen(area, bc, ca, aSquared, bSquared, squared);
+      if (inside == 0) inside = detail::incircleExact(points[t.v[0]], points[t.v[1]], points[t.v[2]], p);
+      if (inside > 0 && (!kMarks || (flags[slot] & kInCavity) == 0)) {
+        if (count == capacity) {
+          if (count > mesh.triangles.size()) return false;
+          cavity.triangleCount = count;
+          makeRoom(cavity, 2 * capacity);
+          capacity = cavity.capacity;
+          slots = cavity.slots.data();
+          edges = cavity.edges.data();
+          sights = cavity.sights.data();
+          open = cavity.open.data();
+        }
+        const int before = prev3(corner), after = next3(corner);
+        std::int32_t acrossBefore = t.adj[static_cast<std::size_t>(before)];
+        std::int32_t acrossAfter = t.adj[static_cast<std::size_t>(after)];
+        const std::uint8_t bits = flags[slot];
+        if ((bits & kConstrainedAll) != 0 || (acrossBefore | acrossAfter) < 0) {
+          acrossBefore = beyond(t, slot, bits, before);
+          acrossAfter = beyond(t, slot, bits, after);
+        }
+        if constexpr (kMarks) flags[slot] = bits | kInCavity;
+        slots[capacity - ++count] = slot;
+        nearest = std::min(nearest, squared);
+        sights[sightCount] = {x, y, squared, apex};
+        open[depth++] = {sightCount, to, acrossBefore, -bc};
+        to = sightCount++;
+        across = acrossAfter;
+        area = -ca;
+        bx = x;
+        by = y;
+        bSquared = squared;
+        continue;
+      }
+    } else {
+      walled = true;
     }
-    mesh.flags[at(slot)] |= kInCavity;
-    cavity.triangles.push_back(slot);
-    const int entered = cornerOf(across);
-    stack.push_back(3 * slot + prev3(entered));
-    stack.push_back(3 * slot + next3(entered));
+    edges[rim++] = {sights[from].vertex, across};
+    if (depth == 0) break;
+    next();
   }
+  edges[rim] = {sights[to].vertex, 0};
+  cavity.triangleCount = count;
+  cavity.rimCount = rim;
+  cavity.sightCount = static_cast<std::size_t>(sightCount);
+  cavity.nearest = nearest;
+  cavity.walled = walled;
+  return true;
 }
 
 void unmark(Mesh& mesh, const Cavity& cavity) {
-  for (const std::int32_t slot : cavity.triangles) mesh.flags[at(slot)] &= static_cast<std::uint8_t>(~kInCavity);
+  for (const std::int32_t slot : cavity.triangles()) mesh.flags[at(slot)] &= static_cast<std::uint8_t>(~kInCavity);
 }
 
-// The edge on the stack when a triangle is entered twice would be an inner edge of the cavity: cannot happen for a
-// cavity that is a disc, which exact in-circle tests guarantee.
-thread_local std::vector<std::int32_t> stackOfHalves;
+}  // namespace
+
+std::int32_t halfEdgeOf(const Mesh& mesh, const Cavity::RimEdge& edge) {
+  return edge.isWall() ? edge.wall() : oppositeOf(mesh, edge.across);
+}
+
+namespace {
+
+template <bool kMarks>
+bool growFrom(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
+  begin(cavity, p);
+  for (const std::int32_t vertex : triangleAt(mesh, start).v) look(mesh, cavity, vertex);
+  for (int i = 0; i < 3; ++i) cavity.open[at(2 - i)] = openEdge(mesh, cavity, start, i, next3(i), prev3(i));
+  take(cavity, start);
+  if constexpr (kMarks) mesh.flags[at(start)] |= kInCavity;
+  return grow<kMarks>(mesh, cavity, 3);
+}
 
 }  // namespace
 
 void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
-  cavity.triangles.assign(1, start);
-  cavity.rim.clear();
-  mesh.flags[at(start)] |= kInCavity;
-  stackOfHalves.assign({3 * start + 2, 3 * start + 1, 3 * start});
-  grow(mesh, p, cavity, stackOfHalves);
+  if (growFrom<false>(mesh, p, start, cavity)) return;
+  growFrom<true>(mesh, p, start, cavity);
   unmark(mesh, cavity);
 }
 
 bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity) {
-  cavity.triangles.clear();
-  cavity.rim.clear();
+  begin(cavity, p);
   const std::int32_t other = oppositeOf(mesh, edge);
+  for (const std::int32_t side : {edge, other})
+    if (side >= 0) mesh.flags[at(triangleOf(side))] |= kInCavity;
+  std::int32_t from = look(mesh, cavity, startOf(mesh, edge));
+  std::int32_t to = look(mesh, cavity, endOf(mesh, edge));
   for (const std::int32_t side : {edge, other}) {
     if (side < 0) continue;
     const std::int32_t slot = triangleOf(side);
-    mesh.flags[at(slot)] |= kInCavity;
-    cavity.triangles.push_back(slot);
-    stackOfHalves.assign({3 * slot + prev3(cornerOf(side)), 3 * slot + next3(cornerOf(side))});
-    grow(mesh, p, cavity, stackOfHalves);
+    const int i = cornerOf(side);
+    const std::int32_t apex = look(mesh, cavity, apexOf(mesh, side));
+    take(cavity, slot);
+    cavity.open[0] = openEdge(mesh, cavity, slot, prev3(i), apex, from);
+    cavity.open[1] = openEdge(mesh, cavity, slot, next3(i), to, apex);
+    grow<true>(mesh, cavity, 2);
+    std::swap(from, to);
   }
   unmark(mesh, cavity);
-  for (const std::int32_t half : cavity.rim) {
-    if (orient2d(pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), p) <= 0) {
-      cavity.triangles.clear();
-      cavity.rim.clear();
-      return false;
-    }
+  for (std::size_t k = 0; k < cavity.rimCount; ++k) {
+    const Cavity::RimEdge* const e = &cavity.edges[k];
+    if (orient2d(pointOf(mesh, e[0].vertex), pointOf(mesh, e[1].vertex), p) > 0) continue;
+    cavity.triangleCount = 0;
+    cavity.rimCount = 0;
+    return false;
   }
   return true;
 }
 
 namespace {
 
-thread_local std::vector<std::int32_t> rimStart;
-thread_local std::vector<std::int32_t> rimEnd;
-thread_local std::vector<std::int32_t> rimAcross;
-thread_local std::vector<std::uint8_t> rimConstrained;
+// Puts the slots that the fan needs beyond those of the cavity behind them: the one freed last, or new ones.
+void takeSlots(Mesh& mesh, Cavity& cavity) {
+  std::int32_t* const more = cavity.slots.data() + cavity.capacity;
+  const std::size_t count = cavity.rimCount - cavity.triangleCount;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!mesh.freeSlots.empty()) {
+      more[k] = mesh.freeSlots.back();
+      mesh.freeSlots.pop_back();
+      continue;
+    }
+    more[k] = static_cast<std::int32_t>(mesh.triangles.size());
+    mesh.triangles.emplace_back();
+    mesh.ids.push_back(0);
+    mesh.flags.push_back(0);
+    mesh.tested.push_back(0);
+  }
+}
 
-// Copies the rim out of the cavity's triangles, frees them, and hangs a fan around a new vertex. Neighbours along
-// the fan are joined where one rim edge ends at the start of the next. Returns the new vertex; the fan's slots
-// replace rimStart.
-std::int32_t fan(Mesh& mesh, const Cavity& cavity, Point p, VertexKind kind, std::uint8_t density) {
-  const std::size_t n = cavity.rim.size();
-  rimStart.resize(n);
-  rimEnd.resize(n);
-  rimAcross.resize(n);
-  rimConstrained.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::int32_t half = cavity.rim[k];
-    rimStart[k] = startOf(mesh, half);
-    rimEnd[k] = endOf(mesh, half);
-    rimAcross[k] = oppositeOf(mesh, half);
-    rimConstrained[k] = constrained(mesh, half) ? 1 : 0;
+// Reads what lies beyond each wall while its triangle is there to tell: RimEdge::across becomes -1 where there is
+// nothing, and -3 - (the half-edge on the other side, or -1) beyond a constrained edge.
+void readWalls(const Mesh& mesh, Cavity& cavity) {
+  for (std::size_t k = 0; k < cavity.rimCount; ++k) {
+    Cavity::RimEdge& edge = cavity.edges[k];
+    if (edge.isWall()) edge.across = constrained(mesh, edge.wall()) ? -3 - oppositeOf(mesh, edge.wall()) : -1;
   }
-  for (const std::int32_t slot : cavity.triangles) killTriangle(mesh, slot);
-  const std::int32_t vertex = addVertex(mesh, p, kind, density);
-  std::int32_t before = -1;
-  std::int32_t first = -1;
+}
+
+// Hangs a fan around a new vertex. Its ends are joined where the rim is closed. Returns the new vertex.
+std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density) {
+  const std::int32_t vertex = addVertex(mesh, cavity.at, kind, density);
+  if (cavity.walled) readWalls(mesh, cavity);
+  takeSlots(mesh, cavity);
+  Triangle* const all = mesh.triangles.data();
+  std::uint32_t* const ids = mesh.ids.data();
+  std::uint8_t* const flags = mesh.flags.data();
+  std::uint8_t* const tested = mesh.tested.data();
+  std::int32_t* const triangleAround = mesh.vertexTriangle.data();
+  const Cavity::RimEdge* const edges = cavity.edges.data();
+  std::int32_t* const slots = cavity.slots.data() + (cavity.capacity - cavity.triangleCount);
+  const std::size_t n = cavity.rimCount;
+  const bool closed = cavity.closed();
+  std::uint32_t id = mesh.nextId;
+  slots[n] = slots[0];
+  std::int32_t before = closed ? 3 * slots[n - 1] + 1 : -1;
   for (std::size_t k = 0; k < n; ++k) {
-    const std::int32_t slot = addTriangle(mesh, vertex, rimStart[k], rimEnd[k]);
-    link(mesh, 3 * slot, rimAcross[k]);
-    if (rimAcross[k] >= 0) mesh.tested[at(triangleOf(rimAcross[k]))] = 0;
-    if (rimConstrained[k] != 0) setConstrained(mesh, 3 * slot, true);
-    if (before >= 0 && rimEnd[k - 1] == rimStart[k]) link(mesh, 3 * slot + 2, 3 * before + 1);
-    if (first < 0) first = slot;
-    before = slot;
+    const std::int32_t slot = slots[k];
+    const bool wall = edges[k].across < -1;
+    const std::int32_t across = wall ? -3 - edges[k].across : edges[k].across;
+    if (across >= 0) {
+      const std::int32_t other = thirdOf(across);
+      all[other].adj[static_cast<std::size_t>(across - 3 * other)] = 3 * slot;
+      tested[other] = 0;
+    }
+    all[slot] = {{vertex, edges[k].vertex, edges[k + 1].vertex}, {across, 3 * slots[k + 1] + 2, before}};
+    ids[slot] = id++;
+    flags[slot] = wall ? kConstrained0 : 0;
+    tested[slot] = 0;
+    triangleAround[edges[k].vertex] = slot;
+    before = 3 * slot + 1;
   }
-  if (n > 0 && rimEnd[n - 1] == rimStart[0]) link(mesh, 3 * first + 2, 3 * before + 1);
-  mesh.lastTriangle = before;
+  if (!closed) all[slots[n - 1]].adj[1] = -1;
+  triangleAround[edges[n].vertex] = slots[n - 1];
+  triangleAround[vertex] = slots[n - 1];
+  mesh.nextId = id;
+  mesh.lastTriangle = slots[n - 1];
+  ChangeLog::note(cavity.fan());
   return vertex;
 }
 
 }  // namespace
 
-std::int32_t fillCavity(Mesh& mesh, const Cavity& cavity, Point p, VertexKind kind, std::uint8_t density) {
-  return fan(mesh, cavity, p, kind, density);
+std::int32_t fillCavity(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density) {
+  return fill(mesh, cavity, kind, density);
 }
 
-std::int32_t fillSplitCavity(Mesh& mesh, const Cavity& cavity, Point p, std::int32_t edge, double t,
-                             std::uint8_t density) {
-  const std::int32_t vertex = fan(mesh, cavity, p, VertexKind::split, density);
+std::int32_t fillSplitCavity(Mesh& mesh, Cavity& cavity, std::int32_t edge, double t, std::uint8_t density) {
+  const std::int32_t vertex = fill(mesh, cavity, VertexKind::split, density);
   const std::int32_t rest = splitBoundaryEdge(mesh, edge, vertex, t);
   for (const std::int32_t e : {edge, rest}) {
     const std::int32_t a = mesh.edges[at(e)].v0;
@@ -132,15 +316,6 @@ std::int32_t fillSplitCavity(Mesh& mesh, const Cavity& cavity, Point p, std::int
     }
   }
   return vertex;
-}
-
-double nearestSquaredDistance(const Mesh& mesh, const Cavity& cavity, Point p) {
-  double nearest = 1e300;
-  for (const std::int32_t half : cavity.rim) {
-    const double d = squaredDistance(pointOf(mesh, startOf(mesh, half)), p);
-    if (d < nearest) nearest = d;
-  }
-  return nearest;
 }
 
 }  // namespace triscope

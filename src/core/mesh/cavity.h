@@ -1,15 +1,61 @@
 // Bowyer-Watson insertion in two halves: find the cavity (changes nothing), then fill it.
 #pragma once
 
+#include <span>
+
 #include "core/mesh/mesh.h"
 
 namespace triscope {
 
-/// The connected triangles whose circumcircle holds a point, not reaching through constrained edges.
+/// The connected triangles whose circumcircle holds a point, not reaching through constrained edges, and the room that
+/// it takes to find and to fill them. Nothing is carried over from one cavity to the next but that room: a caller that
+/// keeps the object allocates nothing.
 struct Cavity {
-  std::vector<std::int32_t> triangles;  // slots; the first is where the search began
-  std::vector<std::int32_t> rim;        // half-edges of cavity triangles, counter-clockwise around the point
+  /// An edge of the rim, counter-clockwise around the point: from its vertex to that of the next one.
+  struct RimEdge {
+    std::int32_t vertex;
+    std::int32_t across;  // half-edge on the other side; -2 - (half-edge on this side) of one not to be crossed
+    [[nodiscard]] bool isWall() const { return across < 0; }
+    [[nodiscard]] std::int32_t wall() const { return -2 - across; }
+  };
+  /// A vertex as the point sees it.
+  struct Sight {
+    double x, y, squaredDistance;
+    std::int32_t vertex;
+  };
+  /// An edge of a triangle of the cavity that was not looked across yet; ends by their places in `sights`.
+  struct Open {
+    std::int32_t from, to;
+    std::int32_t across;  // as in RimEdge
+    double area;          // twice that of the triangle from it to the point
+  };
+
+  Point at;
+  double nearest = 0.0;  // shortest squared distance to a vertex: on the rim of a cavity, all of them are
+  bool walled = false;   // some edge of the rim is not to be crossed
+  std::size_t triangleCount = 0;
+  std::size_t rimCount = 0;
+  std::size_t sightCount = 0;
+  std::size_t capacity = 0;  // triangles that there is room for; doubled when it is used up
+  std::vector<std::int32_t>
+      slots;                   // in [capacity - triangleCount, capacity): last found first; the fan's others behind
+  std::vector<RimEdge> edges;  // the rim, and behind it where it ends
+  std::vector<Sight> sights;
+  std::vector<Open> open;
+
+  /// Last found first: the search began at the last one.
+  [[nodiscard]] std::span<const std::int32_t> triangles() const { return {firstSlot(), triangleCount}; }
+  [[nodiscard]] std::span<const RimEdge> rim() const { return {edges.data(), rimCount}; }
+  /// The new triangles along the rim, once it is filled: in the slots of those that gave way, as if these had been
+  /// freed one by one, and then in one or two others.
+  [[nodiscard]] std::span<const std::int32_t> fan() const { return {firstSlot(), rimCount}; }
+  [[nodiscard]] const std::int32_t* firstSlot() const { return slots.data() + (capacity - triangleCount); }
+  /// Whether the rim runs all the way round: not that of a point on the boundary.
+  [[nodiscard]] bool closed() const { return edges[rimCount].vertex == edges[0].vertex; }
 };
+
+/// The half-edge of a cavity's triangle along an edge of its rim, before it is filled.
+std::int32_t halfEdgeOf(const Mesh& mesh, const Cavity::RimEdge& edge);
 
 /// Begins at `start`, which must hold p in its closure or in its circumcircle.
 void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity);
@@ -19,13 +65,9 @@ void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity);
 bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity);
 
 /// Replaces the cavity by triangles from its rim to a new vertex. The new triangles have consecutive ids.
-std::int32_t fillCavity(Mesh& mesh, const Cavity& cavity, Point p, VertexKind kind, std::uint8_t density);
+std::int32_t fillCavity(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density);
 
 /// Same for the cavity of a split: boundary edge `edge` of Mesh::edges is split at curve parameter t.
-std::int32_t fillSplitCavity(Mesh& mesh, const Cavity& cavity, Point p, std::int32_t edge, double t,
-                             std::uint8_t density);
-
-/// Shortest distance² from p to a rim vertex: the nearest vertex that p sees.
-double nearestSquaredDistance(const Mesh& mesh, const Cavity& cavity, Point p);
+std::int32_t fillSplitCavity(Mesh& mesh, Cavity& cavity, std::int32_t edge, double t, std::uint8_t density);
 
 }  // namespace triscope

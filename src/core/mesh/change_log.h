@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace triscope {
@@ -19,6 +20,9 @@ class ChangeLog {
 
   static void note(std::int32_t slot) {
     if (listener_ != nullptr) listener_->slots.push_back(slot);
+  }
+  static void note(std::span<const std::int32_t> several) {
+    if (listener_ != nullptr) listener_->slots.insert(listener_->slots.end(), several.begin(), several.end());
   }
 
   /// Edits on copies (patches tried out) are nobody's business: silences the log for a scope.

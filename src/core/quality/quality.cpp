@@ -1,5 +1,6 @@
 #include "core/quality/quality.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -45,15 +46,17 @@ struct Sum {
   [[nodiscard]] double result() const { return total + lost; }
 };
 
-}  // namespace
+struct Side {
+  double squared;
+  Point opposite;
+};
 
-TriangleQuality qualityOf(Point a, Point b, Point c) {
-  // Corners renamed so that the first lies opposite the shortest edge and the last opposite the longest.
-  struct Side {
-    double squared;
-    Point opposite;
-  };
-  Side sides[3] = {{squaredDistance(b, c), a}, {squaredDistance(c, a), b}, {squaredDistance(a, b), c}};
+// All but the angles. Sides shortest first: the first corner lies opposite the shortest edge, the last opposite the
+// longest.
+TriangleQuality withoutAngles(Point a, Point b, Point c, Side (&sides)[3]) {
+  sides[0] = {squaredDistance(b, c), a};
+  sides[1] = {squaredDistance(c, a), b};
+  sides[2] = {squaredDistance(a, b), c};
   if (sides[1].squared < sides[0].squared) std::swap(sides[0], sides[1]);
   if (sides[2].squared < sides[1].squared) std::swap(sides[1], sides[2]);
   if (sides[1].squared < sides[0].squared) std::swap(sides[0], sides[1]);
@@ -71,9 +74,29 @@ TriangleQuality qualityOf(Point a, Point b, Point c) {
   q.circumradius = area > 0.0 ? shortest * middle * longest / (4.0 * area) : kInfinity;
   q.aspect = area > 0.0 ? q.circumradius / q.inradius : kInfinity;
   q.edgeRatio = shortest > 0.0 ? longest / shortest : kInfinity;
-  q.minAngle = angleAt(sides[0].opposite, sides[1].opposite, sides[2].opposite);
-  q.maxAngle = angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite);
   q.obtuse = dotSign(sides[2].opposite, sides[0].opposite, sides[1].opposite) < 0;
+  return q;
+}
+
+double smallestAngle(const Side (&sides)[3]) {
+  return angleAt(sides[0].opposite, sides[1].opposite, sides[2].opposite);
+}
+double largestAngle(const Side (&sides)[3]) { return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite); }
+
+// Cosine of the angle between two sides, by their squares and that of the third: to see which angles are worth an arc
+// tangent. Not a number, as anything compared with it is false, for a side without length.
+double roughCosine(double left, double right, double opposite) {
+  return (left + right - opposite) / (2.0 * std::sqrt(left * right));
+}
+constexpr double kClearly = 1e-9;  // cosines this far apart are those of different angles
+
+}  // namespace
+
+TriangleQuality qualityOf(Point a, Point b, Point c) {
+  Side sides[3];
+  TriangleQuality q = withoutAngles(a, b, c, sides);
+  q.minAngle = smallestAngle(sides);
+  q.maxAngle = largestAngle(sides);
   return q;
 }
 
@@ -81,6 +104,7 @@ Quality measure(const Mesh& mesh) {
   Quality q;
   Worst aspect, areaRatio, edgeRatio, minAngle, maxAngle, minEdge;
   Sum area, aspects;
+  double smallest = -1.0, largest = 1.0;  // cosines of the smallest and of the largest angle so far
   std::vector<char> used(mesh.points.size(), 0);
   const auto slots = static_cast<std::int32_t>(mesh.triangles.size());
 
@@ -90,12 +114,21 @@ Quality measure(const Mesh& mesh) {
     if (!mesh.alive(slot) || touchesHelper(mesh, slot)) continue;
     const auto& v = mesh.triangles[index].v;
     for (const std::int32_t corner : v) used[at(corner)] = 1;
-    const TriangleQuality t = qualityOf(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])]);
+    Side sides[3];
+    const TriangleQuality t = withoutAngles(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])], sides);
+    const double ofSmallest = roughCosine(sides[1].squared, sides[2].squared, sides[0].squared);
+    const double ofLargest = roughCosine(sides[0].squared, sides[1].squared, sides[2].squared);
     const std::uint32_t id = mesh.ids[index];
     aspect.takeLargest({t.aspect, id, slot});
     edgeRatio.takeLargest({t.edgeRatio, id, slot});
-    minAngle.takeSmallest({t.minAngle, id, slot});
-    maxAngle.takeLargest({t.maxAngle, id, slot});
+    if (!(ofSmallest < smallest - kClearly)) {
+      minAngle.takeSmallest({smallestAngle(sides), id, slot});
+      smallest = std::max(smallest, ofSmallest);
+    }
+    if (!(ofLargest > largest + kClearly)) {
+      maxAngle.takeLargest({largestAngle(sides), id, slot});
+      largest = std::min(largest, ofLargest);
+    }
     minEdge.takeSmallest({t.shortest, id, slot});
     area.add(t.area);
     aspects.add(t.aspect);

@@ -17,14 +17,15 @@ void integrate(const MeshState& state, const Curve& curve, std::vector<Sample>& 
   samples.assign(1, {0.0, 0.0});
   double t = 0.0;
   double integral = 0.0;
-  double h = edgeLengthAt(state.tree, curve.a);
+  LeafPath path;
+  double h = edgeLengthAt(state.tree, curve.a, path);
   const double total = lengthBetween(curve, 0.0, 1.0);
   while (t < 1.0) {
     const double speed = std::max(length(derivativeAt(curve, t)), 1e-9 * total);
     double next = t + std::min(0.25 * h, total / 16.0) / speed;
     if (next > 1.0 - 1e-9) next = 1.0;
     const Point to = pointAt(curve, next);
-    const double hNext = edgeLengthAt(state.tree, to);
+    const double hNext = edgeLengthAt(state.tree, to, path);
     const double ds = curve.kind == CurveKind::line ? (next - t) * total : lengthBetween(curve, t, next);
     integral += 0.5 * ds * (1.0 / h + 1.0 / hNext);
     samples.push_back({next, integral});

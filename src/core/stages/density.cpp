@@ -69,7 +69,7 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
 
 Outcome advanceFront(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
-  thread_local std::vector<std::int32_t> around;
+  thread_local LeafPath path;
   while (cursor.index < kRanks) {
     const std::int32_t entry = cursor.worklist[cursor.index];
     if (entry < 0) {
@@ -81,12 +81,8 @@ Outcome advanceFront(MeshState& state, Journal& journal) {
     const bool stale = cell.child >= 0 || cell.density != cursor.index;
     if (!stale) {
       cell.visited = 1;
-      neighboursOf(state.tree, leaf, around);
-      for (const std::int32_t other : around) {
-        if (state.tree.cells[static_cast<std::size_t>(other)].visited == 0) {
-          return rankNeighbour(state, leaf, other, journal);
-        }
-      }
+      const std::int32_t other = unvisitedNeighbour(state.tree, leaf, path);
+      if (other >= 0) return rankNeighbour(state, leaf, other, journal);
     }
     cursor.worklist[cursor.index] = cursor.next[static_cast<std::size_t>(entry) + 1];
   }

@@ -5,11 +5,11 @@
 // as long as the boundary edges they turn between. Spokes that meet over an edge are merged. The second front does the
 // same off the first.
 #include <algorithm>
-#include <bit>
 
 #include "core/geometry/trig.h"
 #include "core/mesh/edit.h"
 #include "core/stages/place.h"
+#include "core/stages/placing_order.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -19,7 +19,6 @@ constexpr double kFewestDegrees = 80.0;
 constexpr double kMergeWithin = 0.75;       // of the edge that two spokes meet over
 constexpr double kNearest = 0.7;            // of the edge length h, to any other vertex
 constexpr std::size_t kInLoopOrder = 4096;  // points at most that are placed in the order of the loops
-constexpr std::size_t kAhead = 16;          // with more points, every so many-th is placed ahead of the rest
 
 struct Sector {
   std::int32_t vertex;
@@ -141,22 +140,6 @@ std::vector<Sector> frontSectors(const MeshState& state) {
   return sectors;
 }
 
-// The order to place n points in: that of the loops, or with many points every 16th first, coarse to fine. One after
-// the other along a long boundary, each point's cavity takes in some √n of the boundary's edges ahead of it.
-std::vector<std::size_t> placingOrder(std::size_t n) {
-  std::vector<std::size_t> order;
-  order.reserve(n);
-  const bool many = n > kInLoopOrder;
-  if (many) {
-    order.push_back(0);
-    for (std::size_t stride = std::bit_floor(n); stride >= kAhead; stride /= 2)
-      for (std::size_t k = stride; k < n; k += 2 * stride) order.push_back(k);
-  }
-  for (std::size_t k = 0; k < n; ++k)
-    if (!many || k % kAhead != 0) order.push_back(k);
-  return order;
-}
-
 // cursor: points = tips to place, worklist = the vertex each stands at, next = the vertex placed (-1 refused).
 void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
   Cursor& cursor = state.cursor;
@@ -179,7 +162,8 @@ void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
     tip.sum = tip.sum + spokes[k].tip;
     tip.weight += 1.0;
   }
-  for (const std::size_t k : placingOrder(tips.size())) {
+  for (const std::int32_t proposed : placingOrder(tips.size(), kInLoopOrder)) {
+    const auto k = static_cast<std::size_t>(proposed);
     tips[k].proposal = static_cast<std::int32_t>(cursor.points.size());
     cursor.points.push_back((1.0 / tips[k].weight) * tips[k].sum);
     cursor.worklist.push_back(tips[k].vertex);

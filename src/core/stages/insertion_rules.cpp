@@ -23,50 +23,62 @@ double squaredShortestEdge(const Mesh& mesh, std::int32_t slot) {
   return std::min({squaredDistance(a, b), squaredDistance(b, c), squaredDistance(c, a)});
 }
 
-bool atCentre(const Shape& shape, double squaredLimit, std::int32_t other, Proposal& proposal) {
-  proposal.at = shape.centre;
-  proposal.measured = std::sqrt(shape.squaredRadius);
+Circumcircle circleOf(const Mesh& mesh, std::int32_t slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
+}
+
+bool atCentre(const Circumcircle& circle, double squaredLimit, std::int32_t other, Proposal& proposal) {
+  proposal.at = circle.centre;
+  proposal.measured = std::sqrt(circle.squaredRadius);
   proposal.limit = std::sqrt(squaredLimit);
   proposal.other = other;
   return true;
 }
 
-// Step 1: R ≥ h at the circumcentre.
-bool step1(const MeshState& state, std::int32_t, const Shape& shape, Proposal& proposal) {
-  const double limit = squared(edgeLengthAt(state.tree, shape.centre));
-  return notBelow(shape.squaredRadius, limit) && atCentre(shape, limit, -1, proposal);
+// Step 1: R ≥ h at the circumcentre. The tree is asked last: most circles are smaller than any h.
+bool step1(const MeshState& state, std::int32_t slot, LeafPath& path, Proposal& proposal) {
+  const Circumcircle circle = circleOf(state.mesh, slot);
+  if (!notBelow(circle.squaredRadius, squared(state.tree.minEdge))) return false;
+  const double limit = squared(edgeLengthAt(state.tree, circle.centre, path));
+  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, -1, proposal);
 }
 
 // Step 2: R ≥ the least h over the three apexes.
-bool step2(const MeshState& state, std::int32_t slot, const Shape& shape, Proposal& proposal) {
-  const Triangle& t = triangleAt(state.mesh, slot);
+double leastEdgeLength(const MeshState& state, const Triangle& t) {
   const std::vector<std::uint8_t>& rank = state.mesh.density;
-  const int least = std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]});
-  const double limit = squared(state.tree.minEdge * rankLength(least));
-  return notBelow(shape.squaredRadius, limit) && atCentre(shape, limit, -1, proposal);
+  return state.tree.minEdge * rankLength(std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]}));
+}
+bool step2(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+  const Circumcircle circle = circleOf(state.mesh, slot);
+  const double limit = squared(leastEdgeLength(state, triangleAt(state.mesh, slot)));
+  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, -1, proposal);
 }
 
 // Step 3: R ≥ e. Bounds the edge ratio, the angles and the aspect ratio (Theorem 1).
-bool step3(const MeshState&, std::int32_t, const Shape& shape, Proposal& proposal) {
-  return notBelow(shape.squaredRadius, shape.squaredShortest) && atCentre(shape, shape.squaredShortest, -1, proposal);
+bool step3(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+  const Circumcircle circle = circleOf(state.mesh, slot);
+  const double limit = squaredShortestEdge(state.mesh, slot);
+  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, -1, proposal);
 }
 
 // Step 4: R ≥ e of an adjacent triangle. Not as the paper says, it passes by a pair whose areas are close already:
 // along a row of nearly equilateral triangles each insertion would call for the next, against the density asked for.
-bool step4(const MeshState& state, std::int32_t slot, const Shape& shape, Proposal& proposal) {
+bool step4(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+  const Circumcircle circle = circleOf(state.mesh, slot);
   const double own = twiceArea(state.mesh, slot);
   for (const std::int32_t across : triangleAt(state.mesh, slot).adj) {
     if (across < 0) continue;
     if (own < state.settings.step4AreaRatio * twiceArea(state.mesh, triangleOf(across))) continue;
     const double limit = squaredShortestEdge(state.mesh, triangleOf(across));
-    if (notBelow(shape.squaredRadius, limit)) return atCentre(shape, limit, triangleOf(across), proposal);
+    if (notBelow(circle.squaredRadius, limit)) return atCentre(circle, limit, triangleOf(across), proposal);
   }
   return false;
 }
 
 // Step 5: over the edge p1p3 shared with an adjacent triangle of height h and shortest edge e, this triangle's apex p4
 // is at least e + h from the edge's midpoint p5. Bounds the area ratio (Theorem 2).
-bool step5(const MeshState& state, std::int32_t slot, const Shape&, Proposal& proposal) {
+bool step5(const MeshState& state, std::int32_t slot, Proposal& proposal) {
   const Mesh& mesh = state.mesh;
   for (int i = 0; i < 3; ++i) {
     const std::int32_t half = 3 * slot + i;
@@ -95,55 +107,56 @@ bool step5(const MeshState& state, std::int32_t slot, const Shape&, Proposal& pr
 
 }  // namespace
 
-Shape shapeOf(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  Shape shape{pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]), {}, 0.0, 0.0};
-  const Circumcircle circle = circumcircle(shape.a, shape.b, shape.c);
-  shape.centre = circle.centre;
-  shape.squaredRadius = circle.squaredRadius;
-  shape.squaredShortest = std::min(
-      {squaredDistance(shape.a, shape.b), squaredDistance(shape.b, shape.c), squaredDistance(shape.c, shape.a)});
-  return shape;
-}
-
-bool proposes(Stage step, const MeshState& state, std::int32_t slot, const Shape& shape, Proposal& proposal) {
+bool proposes(Stage step, const MeshState& state, std::int32_t slot, LeafPath& path, Proposal& proposal) {
   switch (step) {
     case Stage::step1:
-      return step1(state, slot, shape, proposal);
+      return step1(state, slot, path, proposal);
     case Stage::step2:
-      return step2(state, slot, shape, proposal);
+      return step2(state, slot, proposal);
     case Stage::step3:
-      return step3(state, slot, shape, proposal);
+      return step3(state, slot, proposal);
     case Stage::step4:
-      return step4(state, slot, shape, proposal);
+      return step4(state, slot, proposal);
     default:
-      return step5(state, slot, shape, proposal);
+      return step5(state, slot, proposal);
   }
 }
 
-Quiet clearlyQuiet(const MeshState& state, std::int32_t slot, const Shape& shape) {
+Quiet clearlyQuiet(const MeshState& state, std::int32_t slot) {
   constexpr double kClearly = 1.0 - 1e-6;  // far from a tie, whatever the order of the operations
+  const Mesh& mesh = state.mesh;
+  const Point* const points = mesh.points.data();
+  const Triangle* const all = mesh.triangles.data();
+  const Triangle& t = all[slot];
+  const std::array<Point, 3> corners{points[t.v[0]], points[t.v[1]], points[t.v[2]]};
+  const std::array<Point, 3> along{corners[2] - corners[1], corners[0] - corners[2], corners[1] - corners[0]};
+  const std::array<double, 3> edges{squaredLength(along[0]), squaredLength(along[1]), squaredLength(along[2])};
+  const double sum = edges[0] + edges[1] + edges[2];
+  const double own = cross(along[2], along[0]);
+  // R² = radius / area², so that R² < x is radius < area² x.
+  const double radius = edges[0] * edges[1] * edges[2];
+  const double area = 4.0 * kClearly * own * own;
+  const double ratio = kClearly * state.settings.step4AreaRatio;
   Quiet quiet;
-  quiet.step3 = shape.squaredRadius < kClearly * shape.squaredShortest;
+  quiet.step2 = radius < area * squared(leastEdgeLength(state, t));
+  quiet.step3 = radius < area * std::min({edges[0], edges[1], edges[2]});
   quiet.bounds = quiet.step3;
-  const std::array<Point, 3> corners{shape.a, shape.b, shape.c};
-  const double own = cross(shape.b - shape.a, shape.c - shape.a);
-  for (int i = 0; i < 3; ++i) {
-    const std::int32_t across = oppositeOf(state.mesh, 3 * slot + i);
-    if (across < 0) continue;
-    const Point p1 = corners[static_cast<std::size_t>(next3(i))];
-    const Point p3 = corners[static_cast<std::size_t>(prev3(i))];
-    const Point p4 = corners[static_cast<std::size_t>(i)];
-    const Point p2 = pointOf(state.mesh, apexOf(state.mesh, across));
-    const double other = cross(p2 - p1, p3 - p1);
-    if (!(std::max(own, other) < 3.0 * kClearly * std::min(own, other))) quiet.bounds = false;
-    const double edge = squaredDistance(p1, p3);
-    const double shortest = std::min({squaredDistance(p1, p2), squaredDistance(p2, p3), edge});
-    const bool close = own < kClearly * state.settings.step4AreaRatio * other;
-    if (!close && !(shape.squaredRadius < kClearly * shortest)) quiet.step4 = false;
-    // With h = other / |p1 p3|. Most need no root: (e + h)² > e² + h².
-    const double reach = squaredDistance(midpoint(p1, p3), p4);
-    if (reach * edge < kClearly * (shortest * edge + other * other)) continue;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (t.adj[i] < 0) continue;
+    const auto across = static_cast<std::uint32_t>(t.adj[i]);
+    const std::uint32_t beyond = across / 3u;
+    const Point apex = points[all[beyond].v[across - 3u * beyond]];
+    const Point toApex = apex - corners[i == 2 ? 0 : i + 1];
+    const double edge = edges[i];
+    const double other = cross(toApex, along[i]);
+    const double shortest = std::min({squaredLength(toApex), squaredLength(toApex - along[i]), edge});
+    // Not one condition after the other: as good as none of them can be foreseen.
+    quiet.bounds = quiet.bounds & (std::max(own, other) < 3.0 * kClearly * std::min(own, other));
+    quiet.step4 = quiet.step4 & ((own < ratio * other) | (radius < area * shortest));
+    // The squared median, from the middle of the edge to the corner opposite, rounded up; h = other / |p1 p3|. Few need
+    // a root: 2 e h is at least 2 e² other / |p1 p3|².
+    const double reach = 0.25 * (2.0 * sum - 3.0 * edge) + 1e-9 * sum;
+    if (reach * edge < kClearly * kClearly * (shortest * edge + other * other + 2.0 * shortest * other)) continue;
     if (!(std::sqrt(reach * edge) < kClearly * (std::sqrt(shortest * edge) + other))) quiet.step5 = false;
   }
   return quiet;

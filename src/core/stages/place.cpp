@@ -9,7 +9,7 @@
 namespace triscope {
 namespace {
 
-thread_local Cavity cavity;
+thread_local Placing scratch;
 thread_local std::vector<std::int32_t> suspects;
 thread_local std::vector<Flip> flips;
 
@@ -24,10 +24,27 @@ bool seenTooWide(Point p, Point a, Point b, double limit) {
   return product * product > (1.0 - kBoundMargin) * limit * limit * squaredLength(u) * squaredLength(v);
 }
 
+// The first constrained half-edge of the rim that the point sees under too wide an angle, -1 when none.
+std::int32_t encroached(const Mesh& mesh, const Cavity& cavity, double sightCosine) {
+  if (!cavity.walled) return -1;
+  for (const Cavity::RimEdge& edge : cavity.rim()) {
+    if (!edge.isWall() || !constrained(mesh, edge.wall())) continue;
+    const Point a = pointOf(mesh, startOf(mesh, edge.wall())), b = pointOf(mesh, endOf(mesh, edge.wall()));
+    if (seenTooWide(cavity.at, a, b, sightCosine)) return edge.wall();
+  }
+  return -1;
+}
+
 }  // namespace
 
 Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand) {
+  return place(mesh, tree, p, start, kind, demand, scratch);
+}
+
+Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
+              Placing& placing) {
   Attempt attempt;
+  Cavity& cavity = placing.cavity;
   const Location location = walkTo(mesh, start, p);
   if (location.blocked >= 0) {
     attempt.refusal = Refusal::outside_domain;
@@ -35,15 +52,12 @@ Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, Ver
     return attempt;
   }
   findCavity(mesh, p, location.triangle, cavity);
-  for (const std::int32_t half : cavity.rim) {
-    if (!constrained(mesh, half)) continue;
-    if (!seenTooWide(p, pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), demand.sightCosine))
-      continue;
+  attempt.wall = encroached(mesh, cavity, demand.sightCosine);
+  if (attempt.wall >= 0) {
     attempt.refusal = Refusal::encroaches_boundary;
-    attempt.wall = half;
     return attempt;
   }
-  const double nearest = nearestSquaredDistance(mesh, cavity, p);
+  const double nearest = cavity.nearest;
   if (nearest <= 0.0 || nearest < demand.nearest * demand.nearest) {
     attempt.refusal = Refusal::too_close;
     attempt.measured = std::sqrt(nearest);
@@ -51,8 +65,8 @@ Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, Ver
     return attempt;
   }
   attempt.firstId = mesh.nextId;
-  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangles.size());
-  attempt.vertex = fillCavity(mesh, cavity, p, kind, static_cast<std::uint8_t>(densityRankAt(tree, p)));
+  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangleCount);
+  attempt.vertex = fillCavity(mesh, cavity, kind, static_cast<std::uint8_t>(densityRankAt(tree, p, placing.path)));
   attempt.createdCount = mesh.nextId - attempt.firstId;
   return attempt;
 }
@@ -70,6 +84,7 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
     attempt.limit = minEdge;
     return attempt;
   }
+  Cavity& cavity = scratch.cavity;
   std::int32_t side = findHalfEdge(mesh, old.v0, old.v1);
   if (side < 0) side = findHalfEdge(mesh, old.v1, old.v0);
   if (side < 0 || !findSplitCavity(mesh, p, side, cavity)) {
@@ -77,8 +92,9 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
     return attempt;
   }
   attempt.firstId = mesh.nextId;
-  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangles.size());
-  attempt.vertex = fillSplitCavity(mesh, cavity, p, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p)));
+  attempt.removedCount = static_cast<std::uint32_t>(cavity.triangleCount);
+  attempt.vertex =
+      fillSplitCavity(mesh, cavity, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p, scratch.path)));
   // A point on a bent curve lies off its chord, where the cavity's argument for the Delaunay property does not hold.
   thread_local Star star;
   starOf(mesh, attempt.vertex, star);

@@ -15,6 +15,12 @@ struct Demand {
       -1.0;  // a boundary edge may not be seen under an angle with a smaller cosine (0: 90°, -0.5: 120°)
 };
 
+/// Scratch of place(), kept from one attempt to the next so that nothing is allocated.
+struct Placing {
+  Cavity cavity;
+  LeafPath path;
+};
+
 struct Attempt {
   Refusal refusal = Refusal::none;
   double measured = 0.0;  // what the refusal measured, and the limit it was held against
@@ -26,8 +32,11 @@ struct Attempt {
   std::uint32_t removedCount = 0;
 };
 
-/// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes.
+/// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes. The second form
+/// leaves the cavity, with the new triangles as its fan, in the caller's scratch.
 Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand);
+Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
+              Placing& placing);
 
 /// Splits boundary edge `edge` (index in Mesh::edges) at half its parameter, on the true curve. Refused when a half
 /// would be shorter than minEdge, or the new point does not see the triangles around it.

@@ -10,6 +10,8 @@ namespace {
 
 enum Phase : std::uint32_t { split_for_constraints, balance, rank_constraints };
 
+thread_local LeafPath path;
+
 int wishedRank(const MeshState& state, const Constraint& constraint) {
   const int rank = rankAtMost(constraint.length * state.tree.minEdgeInverse * (1.0 + 1e-12));
   return std::min({rank, state.settings.maxRank, 3 * state.tree.cells[0].rank});
@@ -32,15 +34,12 @@ void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32
 Outcome balanceOne(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Quadtree& tree = state.tree;
-  thread_local std::vector<std::int32_t> around;
   while (!cursor.worklist.empty()) {
     const std::int32_t leaf = cursor.worklist.back();
     const Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
     if (cell.child < 0) {
-      neighboursOf(tree, leaf, around);
-      for (const std::int32_t other : around) {
-        const Cell& neighbour = tree.cells[static_cast<std::size_t>(other)];
-        if (neighbour.rank <= cell.rank + 1) continue;
+      const std::int32_t other = coarseNeighbour(tree, leaf, path);
+      if (other >= 0) {
         const int limit = cell.rank + 1;
         const std::int32_t first = splitCell(tree, other);
         for (std::int32_t k = 0; k < 4; ++k) cursor.worklist.push_back(first + k);
@@ -71,7 +70,7 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
   if (cursor.phase == split_for_constraints) {
     for (; cursor.index < state.constraints.size(); ++cursor.index) {
       const Constraint& constraint = state.constraints[cursor.index];
-      const std::int32_t leaf = leafAt(tree, constraint.at);
+      const std::int32_t leaf = leafAt(tree, constraint.at, path);
       if (tree.cells[static_cast<std::size_t>(leaf)].rank <= largestCellRank(wishedRank(state, constraint))) continue;
       const std::int32_t first = splitCell(tree, leaf);
       recordSplit(state, journal, constraint.source, leaf, first);
@@ -91,7 +90,7 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
   }
   for (; cursor.index < state.constraints.size(); ++cursor.index) {
     const Constraint& constraint = state.constraints[cursor.index];
-    const std::int32_t leaf = leafAt(tree, constraint.at);
+    const std::int32_t leaf = leafAt(tree, constraint.at, path);
     Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
     const int rank = wishedRank(state, constraint);
     if (rank >= cell.density) continue;

@@ -9,7 +9,7 @@
 namespace triscope {
 namespace {
 
-thread_local Star star;
+thread_local Placing scratch;
 
 Rule ruleOf(Stage step) {
   return static_cast<Rule>(static_cast<int>(Rule::step1) + static_cast<int>(step) - static_cast<int>(Stage::step1));
@@ -22,9 +22,7 @@ constexpr std::uint8_t bitOf(Stage step) {
 // Marks what the later steps need not look at again, while the triangle and its neighbours are at hand: reading the
 // whole mesh once more for each rule costs more than the rules do. Not in step 1, most triangles of which are soon
 // gone.
-void passOver(MeshState& state, std::int32_t slot, const Shape& shape) {
-  if (state.stage == Stage::step1) return;
-  const Quiet quiet = clearlyQuiet(state, slot, shape);
+void passOver(MeshState& state, std::int32_t slot, const Quiet& quiet) {
   std::uint8_t& tested = state.mesh.tested[at(slot)];
   if (quiet.step3) tested |= bitOf(Stage::step3);
   if (quiet.step4) tested |= bitOf(Stage::step4);
@@ -32,9 +30,10 @@ void passOver(MeshState& state, std::int32_t slot, const Shape& shape) {
   if (quiet.bounds) tested |= kTestedRepair;
 }
 
-void queueStar(MeshState& state, std::int32_t vertex) {
-  starOf(state.mesh, vertex, star);
-  for (const std::int32_t rim : star.rim) state.cursor.worklist.push_back(triangleOf(rim));
+// In the order of the star of the new vertex, which begins at the last triangle made.
+void queueFan(std::vector<std::int32_t>& worklist, std::span<const std::int32_t> fan) {
+  worklist.push_back(fan.back());
+  worklist.insert(worklist.end(), fan.begin(), fan.end() - 1);
 }
 
 void record(const MeshState& state, Journal& journal, std::uint32_t subject, const Proposal& proposal,
@@ -66,21 +65,26 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     cursor.worklist.pop_back();
     if (!mesh.alive(slot) || (mesh.tested[at(slot)] & bit) != 0) continue;
     mesh.tested[at(slot)] |= bit;
-    const Shape shape = shapeOf(mesh, slot);
     Proposal proposal;
-    if (!proposes(state.stage, state, slot, shape, proposal)) {
-      passOver(state, slot, shape);
-      continue;
+    if (state.stage == Stage::step1) {
+      if (!proposes(state.stage, state, slot, scratch.path, proposal)) continue;
+    } else {
+      const Quiet quiet = clearlyQuiet(state, slot);
+      if (quiet.of(state.stage) || !proposes(state.stage, state, slot, scratch.path, proposal)) {
+        passOver(state, slot, quiet);
+        continue;
+      }
     }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
-    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {proposal.nearest, -0.5});
+    const Demand demand{proposal.nearest, -0.5};
+    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, demand, scratch);
     record(state, journal, subject, proposal, other, attempt);
     if (attempt.vertex < 0) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;
       return Outcome::decided;
     }
-    queueStar(state, attempt.vertex);
+    queueFan(cursor.worklist, scratch.cavity.fan());
     return Outcome::inserted;
   }
   return Outcome::done;

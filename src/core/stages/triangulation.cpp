@@ -4,10 +4,13 @@
 
 #include "core/mesh/edit.h"
 #include "core/stages/place.h"
+#include "core/stages/placing_order.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
 namespace {
+
+constexpr std::size_t kInLoopOrder = 256;  // points at most that are placed in the order of the loops
 
 // Room for the mesh to come, so that growing it does not copy it again and again.
 void reserve(Mesh& mesh, double triangles) {
@@ -62,9 +65,10 @@ Outcome runTriangulation(MeshState& state, Journal& journal) {
     cursor.begun = true;
     reserve(mesh, state.estimatedTriangles);
     boxAround(state);
+    cursor.next = placingOrder(state.boundary.size(), kInLoopOrder);
   }
   for (; cursor.index < state.boundary.size(); ++cursor.index) {
-    BoundaryPoint& point = state.boundary[cursor.index];
+    BoundaryPoint& point = state.boundary[at(cursor.next[cursor.index])];
     const std::int32_t near = vertexAt(mesh, walkTo(mesh, mesh.lastTriangle, point.at).triangle, point.at);
     if (near >= 0) {  // curves share their ends
       point.vertex = near;
