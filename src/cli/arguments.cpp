@@ -225,9 +225,9 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   app.require_subcommand(0, 1);
   app.footer(
       "Exit codes: 0 done, 1 the method could not go on (check: a bound not met or a mesh not valid), 2 wrong usage,\n"
-      "65 bad data or more triangles than --max-triangles, 66 no such input, 69 no display, 70 a defect of the "
-      "program, 73 an output cannot be written,\n"
-      "130 stopped by Ctrl+C.");
+      "65 bad data, or more triangles than --max-triangles, 66 no such input, 69 no display, 70 a defect of the "
+      "program,\n"
+      "71 not enough memory, 73 an output cannot be written, 130 stopped by Ctrl+C.");
 
   WindowOptions window;
   MeshCommand mesh;

@@ -8,8 +8,8 @@
 
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "core/density/request_text.h"
 #include "core/domain/read.h"
-#include "core/estimate.h"
 #include "core/pipeline.h"
 #include "core/triangle_limit.h"
 
@@ -18,22 +18,25 @@ namespace {
 
 constexpr int kSlice = 4096;  // decisions between two looks at Ctrl+C: a few milliseconds
 
-void sayEstimate(const Estimate& estimate) {
-  fmt::print(stderr, "about {} triangles to be made by the estimate of Table 1, {} of memory\n",
-             roughCount(estimate.triangles), bytesText(estimate.bytes));
-}
-
 }  // namespace
 
 Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet) {
   Result<Domain> domain = readDomain(domainFile);
   if (!domain.ok()) return domain.error();
-  Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), settings);
+  ProgressLine progress(!quiet);
+  Result<MeshState> state =
+      begin(std::make_shared<const Domain>(std::move(*domain)), settings, [&progress](double fraction) {
+        progress.show(fmt::format("looking for the smallest edge length, {:.0f} %", 100.0 * fraction));
+        return !interrupted();
+      });
+  progress.clear();
   if (state.ok() && state->minEdgeDerived && !quiet)
     fmt::print(stderr,
                "aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
                "another\n",
                state->minEdge);
+  if (state.ok() && !quiet)
+    for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) fmt::print(stderr, "note: {}\n", cut);
   return state;
 }
 
@@ -54,10 +57,6 @@ Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, b
     }
     if (interrupted())
       return Error{.code = ExitCode::cancelled, .message = "stopped by Ctrl+C", .hint = "nothing was written"};
-    if (!quiet && stage == Stage::density && state.stage > stage && !state.failed) {
-      progress.clear();
-      sayEstimate(estimateOf(state));
-    }
     progress.show(state);
   }
   return seconds;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/density/forecast.h"
+#include "core/density/request_text.h"
 #include "core/density/sources.h"
 #include "core/domain/loop_of.h"
 #include "core/estimate.h"
@@ -20,10 +21,7 @@ bool classified(const Quadtree& tree) {
 }
 
 std::string nameOf(const Domain& domain, Rule source, std::uint32_t index) {
-  if (source == Rule::user_request) {
-    const std::string& name = domain.density[index].name;
-    return name.empty() ? fmt::format("density entry {}", index + 1) : fmt::format("density entry '{}'", name);
-  }
+  if (source == Rule::user_request) return requestName(domain, index);
   const std::string& loop = loopOf(domain, index).name;
   switch (source) {
     case Rule::curvature:
@@ -90,19 +88,23 @@ Asker askerOf(const MeshState& state) {
   groups[byRank].at = midpoint(domain.bounds.lo, domain.bounds.hi);
   constexpr std::size_t kNobody = ~std::size_t{0};
   std::vector<std::size_t> owner(tree.cells.size(), kNobody);
+  std::vector<std::int32_t> leaves;
   for (const Constraint& constraint : state.constraints) {
-    const auto leaf = static_cast<std::size_t>(leafAt(tree, constraint.at));
-    const int rank = rankAtMost(constraint.length * tree.minEdgeInverse * (1.0 + 1e-12));
-    const std::size_t group = groupOf(domain, constraint);
-    if (constraint.length < groups[group].finest) {
-      groups[group].finest = constraint.length;
-      groups[group].source = constraint.source;
-      groups[group].curve = constraint.curve;
-      groups[group].at = constraint.at;
+    Group& group = groups[groupOf(domain, constraint)];
+    if (constraint.length < group.finest) {
+      group.finest = constraint.length;
+      group.source = constraint.source;
+      group.curve = constraint.curve;
+      group.at = constraint.at;
     }
-    if (rank > tree.cells[leaf].density) continue;
-    tree.cells[leaf].density = static_cast<std::uint8_t>(rank);
-    owner[leaf] = group;
+    const int rank = rankAtMost(constraint.length * tree.minEdgeInverse * (1.0 + 1e-12));
+    leavesIn(tree, latticeBoxOf(tree, reachOf(constraint, domain)), leaves);
+    for (const std::int32_t leaf : leaves) {
+      Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
+      if (rank > cell.density) continue;
+      cell.density = static_cast<std::uint8_t>(rank);
+      owner[static_cast<std::size_t>(leaf)] = static_cast<std::size_t>(&group - groups.data());
+    }
   }
   for (std::size_t k = 0; k < tree.cells.size(); ++k) {
     const Cell& cell = tree.cells[k];

@@ -37,7 +37,7 @@ Status SweepJob::carryOut(const Task& task, const std::function<void()>& wake) {
     state = *task.from;
     state.settings = task.settings;
   } else {
-    Result<MeshState> begun = begin(task.domain, task.settings);
+    Result<MeshState> begun = begin(task.domain, task.settings, [this](double) { return !cancel_; });
     if (!begun) return begun.error();
     state = std::move(*begun);
   }

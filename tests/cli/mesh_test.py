@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import program
-from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, OK, STEP, UNMET, USAGE, run)
+from program import (BAD_DATA, BLUNT_BODY, CANCELLED, CANNOT_WRITE, NO_MEMORY, OK, STEP, UNMET, USAGE, run, run_within)
 
 STAGES = ["constraints", "quadtree", "density", "boundary", "triangulation", "carve", "fronts", "step1", "rounds", "refine"]
 FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
@@ -82,6 +82,15 @@ class Outputs(program.ProgramTest):
         self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("b.msh"), "--events", self.path("e.jsonl")))
         self.assertEqual((self.folder / "a.msh").read_bytes(), (self.folder / "b.msh").read_bytes())
 
+    def test_a_request_below_the_smallest_edge_is_noted(self):
+        domain = self.write("d.json", json.dumps({"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "density": [
+            {"name": "fine", "at": [0.5, 0.5], "length": 0.01}, {"at": [0.2, 0.5], "length": 0.1}]}))
+        error = self.expect(OK, run("mesh", domain, "-o", self.path("a.msh"))).stderr
+        self.assertEqual(error.count("note: density entry"), 1)
+        self.assertIn("note: density entry 'fine' asks for edges of length 0.01, but gets none below", error)
+        error = run("mesh", domain, "-o", self.path("a.msh"), "--set", "min_edge_length=0.01").stderr
+        self.assertNotIn("note: density", error)
+
     def test_settings_matter(self):
         triangles = {}
         for edge in ("1", "2"):
@@ -115,9 +124,33 @@ class Limit(program.ProgramTest):
         self.expect(USAGE, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "many"))
         self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "100000"))
 
-    def test_the_estimate_is_told_before_the_mesh_is_made(self):
+    def test_the_estimate_is_told(self):
         error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"))).stderr
-        self.assertRegex(error, r"about \d+ triangles to be made by the estimate of Table 1, [\d.]+ [kM]B of memory\n")
+        self.assertRegex(error, r"about \d+ triangles and [\d.]+ [kM]B of memory were estimated by Table 1\n")
+        error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.svg"), "--until", "quadtree")).stderr
+        self.assertNotIn("estimated", error)
+
+
+class Memory(program.ProgramTest):
+    """Too little memory is no defect of the program, and harms no file."""
+
+    ROOM = 300  # megabytes
+
+    def setUp(self):
+        super().setUp()
+        if run_within(self.ROOM, "--version").returncode != OK:
+            self.skipTest("the program alone takes more room, as under the sanitizers")
+        self.large = self.write("large.json", json.dumps({
+            "outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.0004,
+            "density": [{"box": [[0, 0], [1, 1]], "length": 0.0004}]}))
+        self.write("a.msh", "precious")
+
+    def test_is_said_in_words(self):
+        error = self.expect(NO_MEMORY, run_within(self.ROOM, "mesh", self.large, "-q", "-o", self.path("a.msh"))).stderr
+        self.assertIn("not enough memory", error)
+        self.assertNotIn("defect", error)
+        self.assertEqual((self.folder / "a.msh").read_text(), "precious")
+        self.assertEqual(self.files(), ["a.msh", "large.json"])
 
 
 class Bounds(program.ProgramTest):

@@ -7,29 +7,44 @@
 namespace triscope {
 namespace {
 
-void lower(Quadtree& tree, std::int32_t index, const Box& box, std::uint8_t rank) {
+struct Wish {
+  Box box;
+  std::uint8_t rank = 0;
+};
+
+// Of boxes that hold a cell as a whole only the lowest rank goes further down.
+void lower(Quadtree& tree, std::int32_t index, const std::vector<Wish>& wishes, std::uint8_t rank) {
   Cell& cell = tree.cells[static_cast<std::size_t>(index)];
   const Point lo = tree.corner(cell);
   const Point hi = lo + Point{tree.side(cell), tree.side(cell)};
-  if (hi.x < box.lo.x || hi.y < box.lo.y || lo.x > box.hi.x || lo.y > box.hi.y) return;
-  if (cell.child >= 0) {
-    for (std::int32_t k = 0; k < 4; ++k) lower(tree, cell.child + k, box, rank);
-  } else if (lo.x >= box.lo.x && lo.y >= box.lo.y && hi.x <= box.hi.x && hi.y <= box.hi.y) {
-    cell.density = std::min(cell.density, rank);
+  std::vector<Wish> partly;
+  for (const Wish& wish : wishes) {
+    const Box& box = wish.box;
+    if (hi.x < box.lo.x || hi.y < box.lo.y || lo.x > box.hi.x || lo.y > box.hi.y || wish.rank >= rank) continue;
+    if (lo.x >= box.lo.x && lo.y >= box.lo.y && hi.x <= box.hi.x && hi.y <= box.hi.y)
+      rank = wish.rank;
+    else
+      partly.push_back(wish);
   }
+  if (cell.child < 0) {
+    cell.density = std::min(cell.density, rank);
+    return;
+  }
+  for (std::int32_t k = 0; k < 4; ++k) lower(tree, cell.child + k, partly, rank);
 }
 
 }  // namespace
 
 Quadtree forecastOf(const Quadtree& tree, const Domain& domain, const Settings& settings, double minEdge) {
-  Quadtree end = tree;
-  const auto coarsest = static_cast<std::uint8_t>(settings.maxRank);
-  for (Cell& cell : end.cells) cell.density = std::min(cell.density, coarsest);
+  std::vector<Wish> wishes;
   for (const DensityRequest& request : domain.density) {
     if (request.where != DensityRequest::Where::box) continue;
     const double wish = std::max(lengthWanted(request, minEdge), minEdge);
-    lower(end, 0, {request.at, request.to}, static_cast<std::uint8_t>(rankAtMost(wish * tree.minEdgeInverse)));
+    const int rank = rankAtMost(wish * tree.minEdgeInverse * (1.0 + 1e-12));
+    wishes.push_back({{request.at, request.to}, static_cast<std::uint8_t>(rank)});
   }
+  Quadtree end = tree;
+  lower(end, 0, wishes, static_cast<std::uint8_t>(settings.maxRank));
   return end;
 }
 

@@ -12,6 +12,7 @@ namespace {
 
 enum Phase : std::uint32_t { advance_front, balance, classify, over };
 constexpr std::size_t kRanks = 256;
+constexpr int kPiece = 1024;  // entries of the front looked at before a driver may look up
 
 // The front is kept in buckets by density rank: worklist[rank] heads a list of entries in `next`, each a cell and the
 // index of the entry after it. A cell may wait in two buckets; the one that no longer fits its rank is stale.
@@ -66,7 +67,8 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
 Outcome advanceFront(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   thread_local std::vector<std::int32_t> around;
-  while (cursor.index < kRanks) {
+  for (int looked = 0; cursor.index < kRanks; ++looked) {
+    if (looked == kPiece) return Outcome::worked;
     const std::int32_t entry = cursor.worklist[cursor.index];
     if (entry < 0) {
       ++cursor.index;
@@ -96,12 +98,12 @@ Outcome runDensity(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   if (!cursor.begun) begin(state);
   if (cursor.phase == advance_front) {
-    if (advanceFront(state, journal) == Outcome::decided) return Outcome::decided;
+    if (const Outcome outcome = advanceFront(state, journal); outcome != Outcome::done) return outcome;
     cursor.phase = balance;
     queueLeaves(state);
   }
   if (cursor.phase == balance) {
-    if (balanceOne(state, journal) == Outcome::decided) return Outcome::decided;
+    if (const Outcome outcome = balanceOne(state, journal); outcome != Outcome::done) return outcome;
     cursor.phase = classify;
   }
   if (cursor.phase == classify) {
