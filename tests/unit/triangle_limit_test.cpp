@@ -21,7 +21,8 @@ Stopped stopped(const support::DomainPtr& domain, const Settings& settings = {})
   std::vector<Event> events;
   Journal journal{&events};
   while (!stopped.state.failed && advance(stopped.state, Grain::decision, journal)) {
-    if (!events.empty()) stopped.event = events.back();
+    for (const Event& event : events)
+      if (event.kind == EventKind::failure) stopped.event = event;
     events.clear();
   }
   EXPECT_TRUE(overLimit(stopped.state));
