@@ -124,14 +124,17 @@ Error tooManyTriangles(const MeshState& state) {
   const Estimate estimate = estimateOf(state);
   const Asker asker = askerOf(state);
   // A tree that outgrows the limit is given up before its cells are classified.
-  return {
-      .message = fmt::format("the mesh would have {} {} triangles by the estimate of Table 1, {} of memory, but "
-                             "max_triangles is {}; most are asked for by {}, for edges of length {}",
-                             classified(state.tree) ? "about" : "at least", roughCount(estimate.triangles),
-                             bytesText(estimate.bytes), state.settings.maxTriangles, asker.name, compact(asker.length)),
-      .hint = hintOf(state, asker),
-      .file = state.domain->file,
-      .at = asker.at};
+  const std::string size =
+      classified(state.tree)
+          ? fmt::format("about {} triangles by the estimate of Table 1", roughCount(estimate.triangles))
+          : fmt::format("at least {} triangles, or as many cells in its quadtree", roughCount(estimate.triangles));
+  return {.message = fmt::format(
+              "the mesh would have {}, and take {} of memory, but max_triangles is {}; most are asked "
+              "for by {}, for edges of length {}",
+              size, bytesText(estimate.bytes), state.settings.maxTriangles, asker.name, compact(asker.length)),
+          .hint = hintOf(state, asker),
+          .file = state.domain->file,
+          .at = asker.at};
 }
 
 }  // namespace triscope

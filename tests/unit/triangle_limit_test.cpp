@@ -69,6 +69,16 @@ TEST(TriangleLimit, StopsATreeThatCannotEndBelowIt) {
   EXPECT_NE(describe(tooManyTriangles(at.state)).find("density entry 1"), std::string::npos);
 }
 
+// No triangle would come of it, but a tree without end.
+TEST(TriangleLimit, StopsATreeThatGrowsOutsideTheDomain) {
+  const Stopped at = stopped(support::domainFrom(R"({"outer": [[0, 0], [10, 0], [10, 10], [0, 10]],
+    "holes": [[[1, 1], [9, 1], [9, 9], [1, 9]]], "min_edge_length": 1e-7,
+    "density": [{"box": [[2, 2], [8, 8]], "length": 1e-7}]})"),
+                             most(100'000));
+  EXPECT_LT(at.state.tree.cells.size(), 1'100'000u);
+  EXPECT_NE(describe(tooManyTriangles(at.state)).find("density entry 1"), std::string::npos);
+}
+
 TEST(TriangleLimit, NamesWhatAsksForTheMost) {
   const auto square = [](const std::string& more) {
     return support::domainFrom(R"({"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.0005)" + more + "}");

@@ -1,5 +1,6 @@
 #include "core/stages/split_leaf.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "core/density/classify.h"
@@ -10,22 +11,20 @@
 namespace triscope {
 namespace {
 
-constexpr std::size_t kFirstLook = std::size_t{1} << 16u;  // cells: a smaller tree is built in no time
+constexpr std::size_t kFirstLook = std::size_t{1} << 16u;    // cells: a smaller tree is built in no time
+constexpr std::size_t kFewestCells = std::size_t{1} << 20u;  // allowed in any case: they take a few megabytes
 
-// Trees have 4k + 1 cells.
-bool due(std::size_t cells) {
-  return cells > kFirstLook && std::bit_floor(cells) == cells - 1 && std::countr_zero(cells - 1) % 2 == 0;
-}
-
-// Ranks only fall and cells are only split from here on, so that no leaf ends with fewer triangles than now. A tree of
-// more cells than triangles that are allowed lies outside the domain for the most part, and takes as much memory.
+// Ranks only fall and cells are only split from here on, so that no leaf ends with fewer triangles than now. A leaf in
+// the domain has a dozen at least: a tree of more cells than triangles that are allowed lies outside for the most part.
 void lookAhead(MeshState& state, Journal& journal) {
-  const double most = state.settings.maxTriangles;
-  const auto cells = static_cast<double>(state.tree.cells.size());
+  const std::size_t cells = state.tree.cells.size();
+  const auto most = static_cast<std::size_t>(state.settings.maxTriangles);
+  if (cells > std::max(most, kFewestCells)) return holdToLimit(state, static_cast<double>(cells), journal);
+  const bool fourfold = std::bit_floor(cells) == cells - 1 && std::countr_zero(cells - 1) % 2 == 0;  // cells: 4k + 1
+  if (cells < kFirstLook || !fourfold) return;
   Quadtree end = forecastOf(state.tree, *state.domain, state.settings, state.minEdge);
-  if (trianglesInTree(end) <= most) return;
-  const double triangles = classifyCells(end, *state.domain);
-  holdToLimit(state, triangles > most ? triangles : cells, journal);
+  if (trianglesInTree(end) > state.settings.maxTriangles)
+    holdToLimit(state, classifyCells(end, *state.domain), journal);
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ std::int32_t splitLeaf(MeshState& state, Journal& journal, const SplitReason& wh
     event.at = state.tree.corner(cell);
     journal.record(event);
   }
-  if (due(state.tree.cells.size())) lookAhead(state, journal);
+  lookAhead(state, journal);
   return first;
 }
 
