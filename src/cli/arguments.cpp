@@ -88,6 +88,11 @@ void addSet(CLI::App& command, Texts& texts) {
   command.add_option("--set", texts.set, "Change a setting; 'triscope settings' lists them")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--max-triangles", [&texts](const std::string& most) { texts.set.push_back("max_triangles=" + most); },
+          "Stop before a mesh of more is made; the same as --set max_triangles=N")
+      ->type_name("N");
 }
 
 void addWindow(CLI::App& app, WindowOptions& options) {

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "cli/progress_line.h"
+#include "core/density/request_text.h"
 #include "core/domain/read.h"
 #include "core/pipeline.h"
+#include "core/triangle_limit.h"
 
 namespace triscope {
 namespace {
@@ -20,12 +22,20 @@ constexpr int kSlice = 4096;  // decisions between two times that the progress i
 Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet) {
   Result<Domain> domain = readDomain(domainFile);
   if (!domain.ok()) return domain.error();
-  Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), settings);
+  ProgressLine progress(!quiet);
+  Result<MeshState> state =
+      begin(std::make_shared<const Domain>(std::move(*domain)), settings, [&progress](double fraction) {
+        progress.show(fmt::format("looking for the smallest edge length, {:.0f} %", 100.0 * fraction));
+        return true;
+      });
+  progress.clear();
   if (state.ok() && state->minEdgeDerived && !quiet)
     fmt::print(stderr,
                "aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
                "another\n",
                state->minEdge);
+  if (state.ok() && !quiet)
+    for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) fmt::print(stderr, "note: {}\n", cut);
   return state;
 }
 
@@ -50,6 +60,7 @@ Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, b
 }
 
 Error failureOf(const MeshState& failed) {
+  if (overLimit(failed)) return tooManyTriangles(failed);
   // Failures are rare and runs repeat exactly: a run without a listener learns the reason by running again with one.
   std::vector<Event> events;
   Journal journal{&events};

@@ -55,7 +55,7 @@ int main(int argc, char** argv) {
   try {
     return static_cast<int>(runProgram(argc, argv));
   } catch (const std::bad_alloc&) {
-    return static_cast<int>(defect("out of memory; a larger min_edge_length makes a smaller mesh"));
+    return static_cast<int>(fail(notEnoughMemory()));
   } catch (const std::exception& error) {
     return static_cast<int>(defect(error.what()));
   } catch (...) {

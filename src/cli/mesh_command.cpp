@@ -9,6 +9,7 @@
 #include "cli/outputs.h"
 #include "core/debug/bound_text.h"
 #include "core/debug/undercut_text.h"
+#include "core/estimate.h"
 #include "core/io/output_set.h"
 #include "core/io/report.h"
 #include "core/quality/bound_figure.h"
@@ -27,6 +28,9 @@ void warnOfUnusualSettings(const Settings& settings) {
 }
 
 void summarise(const MeshState& state, const Quality& quality, double seconds) {
+  if (state.stage > Stage::density)
+    fmt::print(stderr, "about {} triangles and {} of memory were estimated by Table 1\n",
+               roughCount(state.estimatedTriangles), bytesText(estimateOf(state).bytes));
   fmt::print(stderr, "{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
   if (state.stage > Stage::carve)
     fmt::print(

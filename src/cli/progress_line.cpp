@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/estimate.h"
 #include "core/io/stop.h"
 #include "core/pipeline.h"
 
@@ -50,12 +51,15 @@ void ProgressLine::show(const MeshState& state) {
   if (!due()) return;
   const std::size_t triangles = state.mesh.liveCount();
   std::string line{infoOf(state.stage).name};
+  if (state.search.part != ConstraintSearch::Part::over)
+    line += fmt::format(", {:.0f} %", 100.0 * fractionOf(state.search, *state.domain));
   if (state.round > 0) line += fmt::format(", round {}", state.round);
   if (state.estimatedTriangles > 0.0 && state.stage > Stage::density) {
     const double part = std::min(1.0, static_cast<double>(triangles) / state.estimatedTriangles);
     const int filled = static_cast<int>(part * kBarWidth);
-    line = fmt::format("{}{:#>{}}{:->{}}{} {:>9} triangles  {}", color_ ? "\x1b[36m" : "", "", filled, "",
-                       kBarWidth - filled, color_ ? "\x1b[0m" : "", triangles, line);
+    line = fmt::format("{}{:#>{}}{:->{}}{} {:>9} of about {} triangles ({})  {}", color_ ? "\x1b[36m" : "", "", filled,
+                       "", kBarWidth - filled, color_ ? "\x1b[0m" : "", triangles, roughCount(state.estimatedTriangles),
+                       bytesText(estimateOf(state).bytes), line);
   }
   fmt::print(stderr, "\r{}\x1b[K", line);
   std::fflush(stderr);

@@ -59,16 +59,31 @@ void add(Digest& digest, const Mesh& mesh) {
   digest.word(static_cast<std::uint64_t>(mesh.lastTriangle));
 }
 
+void add(Digest& digest, const std::vector<Constraint>& constraints) {
+  for (const Constraint& c : constraints) {
+    digest.point(c.at);
+    digest.number(c.length);
+    digest.word(static_cast<std::uint64_t>(c.source) << 32 ^ c.curve);
+  }
+}
+
+// The boundary's tree follows from the domain.
+void add(Digest& digest, const ConstraintSearch& search) {
+  if (search.part == ConstraintSearch::Part::over) return;
+  digest.word(static_cast<std::uint64_t>(search.part) << 32 ^ search.index);
+  digest.word(static_cast<std::uint64_t>(search.curve) << 32 ^ search.sample);
+  digest.number(search.along);
+  digest.word(search.backwards ? 1 : 0);
+  add(digest, search.found);
+}
+
 }  // namespace
 
 std::uint64_t hashOf(const MeshState& state) {
   Digest digest;
   digest.number(state.minEdge);
-  for (const Constraint& c : state.constraints) {
-    digest.point(c.at);
-    digest.number(c.length);
-    digest.word(static_cast<std::uint64_t>(c.source) << 32 ^ c.curve);
-  }
+  add(digest, state.search);
+  add(digest, state.constraints);
   for (const Cell& c : state.tree.cells) {
     digest.word(static_cast<std::uint64_t>(c.child) << 32 ^ c.x);
     digest.word(static_cast<std::uint64_t>(c.y) << 32 ^ static_cast<std::uint64_t>(c.rank) << 24 ^
@@ -88,7 +103,8 @@ std::uint64_t hashOf(const MeshState& state) {
   digest.word(static_cast<std::uint64_t>(state.stage) << 32 ^ state.round);
   digest.word(state.roundChanges);
   digest.word(static_cast<std::uint64_t>(state.roundsDone) << 32 ^ state.passesDone);
-  digest.word(static_cast<std::uint64_t>(state.cursor.begun) << 32 ^ state.cursor.phase);
+  digest.word(static_cast<std::uint64_t>(state.cursor.begun) << 32 ^
+              static_cast<std::uint64_t>(state.cursor.inside) << 33 ^ state.cursor.phase);
   digest.word(state.cursor.index);
   digest.word(state.cursor.changes);
   digest.integers(state.cursor.worklist);

@@ -86,15 +86,15 @@ void leaveStage(MeshState& state, Journal& journal) {
   }
 }
 
-// Cells of side 4Δx are counted in 32 bits. Of a derived Δx the shortest straight edge is named: it asked for it, or a
-// curvature or gap beside it did.
-Error tooFine(const Domain& domain, double minEdge, double extent, bool derived) {
+// Cells of side 4Δx are counted in 32 bits. Of a Δx that the geometry asks for the shortest straight edge is named: it
+// asked for it, or a curvature or gap beside it did.
+Error tooFine(const Domain& domain, double minEdge, double extent, bool byGeometry) {
   Error error;
   error.message = fmt::format("the smallest edge length, {:.3g}, is less than 1/{:.0f} of the domain's extent, {:.6g}",
                               minEdge, kLargestSide, extent);
-  error.hint = "give a larger min_edge_length, or scale the domain's details up";
+  error.hint = byGeometry ? "remove or lengthen the domain's smallest details" : "give a larger min_edge_length";
   error.file = domain.file;
-  if (!derived) return error;
+  if (!byGeometry) return error;
   const ShortestLine shortest = shortestLine(domain);
   if (shortest.length > extent) return error;
   error.loop = loopOf(domain, shortest.curve).name;
@@ -103,13 +103,14 @@ Error tooFine(const Domain& domain, double minEdge, double extent, bool derived)
   return error;
 }
 
-enum class Beat : std::uint8_t { decided, inserted, left_stage, over };
+enum class Beat : std::uint8_t { worked, decided, inserted, left_stage, over };
 
 // The smallest move: a decision, or the step from a stage with nothing left to do into the next.
 Beat beat(MeshState& state, Journal& journal) {
   if (state.stage == Stage::finished) return Beat::over;
   if (!state.cursor.begun) recordStage(state, EventKind::stage_begun, state.round, journal);
   const Outcome outcome = infoOf(state.stage).runOne(state, journal);
+  if (outcome == Outcome::worked) return Beat::worked;
   if (outcome == Outcome::done) {
     leaveStage(state, journal);
     return Beat::left_stage;
@@ -144,18 +145,20 @@ bool complete(Grain grain, Beat last, const MeshState& state, std::uint16_t roun
 
 std::span<const StageInfo> stages() { return kStages; }
 
-Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& settings) {
+Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& settings, const SearchNews& goesOn) {
   MeshState state;
   state.settings = settings;
   state.minEdge = settings.minEdge > 0.0 ? settings.minEdge : domain->minEdgeLength;
   if (state.minEdge <= 0.0) {
-    state.minEdge = deriveMinEdge(*domain, settings);
+    const std::optional<double> derived = deriveMinEdge(*domain, settings, goesOn);
+    if (!derived) return Error{.code = ExitCode::cancelled, .message = "stopped while Δx was derived"};
+    state.minEdge = *derived;
     state.minEdgeDerived = true;
   }
   const double extent = std::max(domain->bounds.width(), domain->bounds.height());
-  if (!(state.minEdge > 0.0) || extent > kLargestSide * state.minEdge) {
-    return tooFine(*domain, state.minEdge, extent, state.minEdgeDerived);
-  }
+  const double finest = state.minEdge > 0.0 ? finestLength(*domain, state.minEdge) : 0.0;
+  if (extent > kLargestSide * finest)
+    return tooFine(*domain, finest, extent, state.minEdgeDerived || finest < state.minEdge);
   if (state.minEdge > extent) {
     Error error;
     error.message = "the smallest edge length is larger than the whole domain";
@@ -174,6 +177,13 @@ bool advance(MeshState& state, Grain grain, Journal& journal) {
     const Beat last = beat(state, journal);
     if (last == Beat::over || complete(grain, last, state, round)) return true;
   }
+}
+
+bool advanceAPiece(MeshState& state, Journal& journal) {
+  if (state.stage == Stage::finished) return false;
+  Beat last = beat(state, journal);
+  while (last == Beat::left_stage) last = beat(state, journal);
+  return true;
 }
 
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal) {

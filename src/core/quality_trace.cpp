@@ -27,7 +27,7 @@ bool QualityTrace::carryOn(const History& history, std::uint64_t end, std::chron
   Journal deaf;
   while (state_.tick < end) {
     const std::uint64_t next = std::min(end, samples_.empty() ? stride_ : samples_.back().tick + stride_);
-    if (state_.tick >= next || !advance(state_, Grain::decision, deaf)) break;
+    if (state_.tick >= next || !advanceAPiece(state_, deaf)) break;
     if (state_.tick >= next) {
       quality_.update(state_.mesh, changes.slots);
       changes.slots.clear();

@@ -19,6 +19,7 @@ enum class ExitCode : int {
   no_input = 66,      // the input cannot be opened
   no_display = 69,    // no window can be opened here
   internal = 70,      // a defect of the program
+  no_memory = 71,     // there is not enough memory
   cannot_write = 73,  // the output cannot be written
   cancelled = 130,    // Ctrl+C
 };
@@ -32,6 +33,15 @@ struct Error {
   int point = -1;             // index of the point within the loop as the file numbers it, -1 when none
   std::optional<Point> at{};  // place in the plane, for the window to show
 };
+
+/// What is said where std::bad_alloc is caught.
+inline Error notEnoughMemory() {
+  return {.code = ExitCode::no_memory,
+          .message = "not enough memory",
+          .hint =
+              "a larger min_edge_length, or larger lengths in \"density\", make a smaller mesh; max_triangles stops "
+              "one that would be too large before it is made"};
+}
 
 /// "file: loop 'name', point 3 at (x, y): message; hint" on one line.
 std::string describe(const Error& error);

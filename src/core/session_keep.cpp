@@ -14,10 +14,20 @@ constexpr std::size_t kCheckpointBytes = 128u << 20u;
 }  // namespace
 
 bool SessionWorker::startOver(std::shared_ptr<const Domain> domain, const Settings& settings) {
-  Result<MeshState> begun = begin(std::move(domain), settings);
+  MeshState probe;  // what is shown of the run while it has no state yet
+  probe.settings = settings;
+  probe.domain = domain;
+  const Activity before = std::exchange(activity_, Activity::meshing);
+  goalSince_ = Clock::now();
+  Result<MeshState> begun =
+      begin(std::move(domain), settings, [&](double fraction) { return tellOfDeriving(probe, fraction); });
+  activity_ = before;
   if (!begun) {
     if (backup_) cancel();
-    fail(begun.error());
+    if (begun.error().code == ExitCode::cancelled)
+      publishProgress();
+    else
+      fail(begun.error());
     return false;
   }
   if (backup_ && !backup_->whole) {
@@ -33,6 +43,30 @@ bool SessionWorker::startOver(std::shared_ptr<const Domain> domain, const Settin
   cutRun();
   rememberStage();
   return true;
+}
+
+// The decision that was being made may have been left half done: nothing of the run can be kept but what was there
+// before a re-mesh, or else its beginning.
+void SessionWorker::giveUp() {
+  if (backup_) {
+    cancel();
+  } else if (loaded_) {
+    goal_ = {};
+    watch_.reset();
+    const Settings settings = state_.settings;
+    state_ = {};  // a copy would keep the room that it took
+    state_.settings = settings;
+    returnTo(history_.before(0).state, 0);
+    beat_.clear();
+    checkpoints_.clear();
+    history_.forgetAfter(0);
+    trace_ = {};
+    cutRun();
+    rememberStage();
+    activity_ = Activity::idle;
+    publishState();
+  }
+  fail(notEnoughMemory());
 }
 
 void SessionWorker::returnTo(const MeshState& state, std::uint64_t events) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "core/counted.h"
@@ -20,14 +21,18 @@ constexpr std::size_t kMostHits = 10'000;
 
 /// How far the run is, from 0 to 1: insertions make up most of it, step 6 the rest.
 double fractionDone(const MeshState& s) {
+  constexpr double kSearch = 0.1;  // for constraints: next to nothing for a few curves, most of the time for thousands
   constexpr double kInsertions = 0.85;
   if (s.stage == Stage::finished) return 1.0;
+  if (s.stage == Stage::constraints && s.domain)
+    return s.cursor.begun ? kSearch * fractionOf(s.search, *s.domain) : 0.0;
   if (s.stage == Stage::refine) {
     const double passes = std::max(1, s.settings.refinePasses);
     return kInsertions + (1.0 - kInsertions) * std::min(1.0, static_cast<double>(s.round) / passes);
   }
-  if (s.stage < Stage::front1 || s.estimatedTriangles <= 0.0) return 0.0;
-  return kInsertions * std::min(1.0, static_cast<double>(s.mesh.liveCount()) / s.estimatedTriangles);
+  if (s.stage < Stage::front1 || s.estimatedTriangles <= 0.0) return kSearch;
+  const double made = std::min(1.0, static_cast<double>(s.mesh.liveCount()) / s.estimatedTriangles);
+  return kSearch + (kInsertions - kSearch) * made;
 }
 
 }  // namespace
@@ -64,6 +69,15 @@ bool SessionWorker::waitIdle(milliseconds patience) {
   return becameIdle_.wait_for(lock, patience, [this] { return idle_; });
 }
 
+template <class Work>
+void SessionWorker::survive(const Work& work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    giveUp();
+  }
+}
+
 void SessionWorker::loop() {
   std::unique_lock lock(mutex_);
   while (!quit_) {
@@ -72,7 +86,7 @@ void SessionWorker::loop() {
       inbox_.pop_front();
       interrupt_ = !inbox_.empty();
       lock.unlock();
-      carryOut(command);
+      survive([&] { carryOut(command); });
       lock.lock();
       continue;
     }
@@ -81,7 +95,7 @@ void SessionWorker::loop() {
       becameIdle_.notify_all();
       if (traceLags()) {
         lock.unlock();
-        carryTrace();
+        survive([this] { carryTrace(); });
         lock.lock();
         continue;
       }
@@ -93,7 +107,7 @@ void SessionWorker::loop() {
       inboxChanged_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return quit_ || !inbox_.empty(); });
     }
     lock.unlock();
-    slice();
+    survive([this] { slice(); });
     lock.lock();
   }
 }
@@ -147,6 +161,7 @@ void SessionWorker::slice() {
 
 void SessionWorker::carry(std::uint64_t beats) {
   Journal journal{&beat_};
+  const auto start = Clock::now();
   for (; beats > 0 && !over(); --beats) {
     beat_.clear();
     const Stage stage = state_.stage;
@@ -157,6 +172,9 @@ void SessionWorker::carry(std::uint64_t beats) {
     if (state_.tick != tick) history_.offer(state_, recorded_);
     if (state_.stage != stage) rememberStage();
     if (reached()) return;
+    // A piece of the work for a decision may take longer than the decisions that the slice was measured by.
+    const bool worked = state_.tick == tick && state_.stage == stage;
+    if (worked && (interrupt_.load(std::memory_order_relaxed) || Clock::now() - start > kSlice)) return;
   }
 }
 
@@ -166,7 +184,7 @@ void SessionWorker::carryWatching(Clock::time_point end) {
     const std::uint64_t tick = state_.tick;
     const std::size_t points = state_.mesh.points.size();
     const bool more = watch_->step(hits);
-    beat_ = watch_->events();
+    beat_.assign(watch_->events().begin(), watch_->events().end());
     recorder_.follow(state_, recordBeat(tick, points));
     if (state_.tick != tick) history_.offer(state_, recorded_);
     for (const Hit& hit : hits) takeHit(hit, breakpoints_);
@@ -302,6 +320,12 @@ void SessionWorker::publishSearch(const MeshState& probe, std::optional<double> 
   }
   lastPublished_ = Clock::now();
   if (wake_) wake_();
+}
+
+bool SessionWorker::tellOfDeriving(const MeshState& probe, double fraction) {
+  if (interrupt_.load(std::memory_order_relaxed)) return false;
+  if (Clock::now() - lastPublished_ >= kLongStep) publishSearch(probe, fraction);
+  return true;
 }
 
 void SessionWorker::publishState() {

@@ -98,6 +98,10 @@ class SessionWorker {
   };
 
   void loop();
+  /// Does it; where memory does not suffice, gives the run up and says so.
+  template <class Work>
+  void survive(const Work& work);
+  void giveUp();
   void carryOut(const Command& command);
   void open(std::shared_ptr<const Domain> domain);
   void load(const command::Load& what);
@@ -144,6 +148,8 @@ class SessionWorker {
   [[nodiscard]] std::shared_ptr<const MeshState> beforeRefinement() const;
   void publishState();
   void publishProgress();
+  /// Tells how far the search for Δx is; false when a command waits.
+  bool tellOfDeriving(const MeshState& probe, double fraction);
   void publishSearch(const MeshState& probe, std::optional<double> fraction);
   [[nodiscard]] Progress progressAt(const MeshState& state) const;
   Publication& outbox();

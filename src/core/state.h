@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/density/constraint.h"
+#include "core/density/constraint_search.h"
 #include "core/density/quadtree.h"
 #include "core/domain/domain.h"
 #include "core/mesh/mesh.h"
@@ -27,6 +28,7 @@ struct StageCounts {
 /// Where a stage is. What the fields mean is each stage's own business; all are zero or empty when it begins.
 struct Cursor {
   bool begun = false;
+  bool inside = false;  // in the middle of item `index`
   std::uint32_t phase = 0;
   std::uint64_t index = 0;
   std::uint64_t changes = 0;  // decisions of this stage that changed something
@@ -49,6 +51,7 @@ struct MeshState {
   Settings settings;
   double minEdge = 0.0;  // Δx in force
   bool minEdgeDerived = false;
+  ConstraintSearch search;  // while constraints are looked for
   std::vector<Constraint> constraints;
   Quadtree tree;
   double estimatedTriangles = 0.0;  // Table 1, known after the density stage

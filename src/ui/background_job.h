@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <new>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -24,7 +25,11 @@ class BackgroundJob {
     done_ = false;
     running_ = true;
     thread_ = std::thread([this, work = std::move(work), wake = std::move(wake)] {
-      result_ = work();
+      try {
+        result_ = work();
+      } catch (const std::bad_alloc&) {
+        result_ = notEnoughMemory();
+      }
       done_ = true;
       wake();
     });

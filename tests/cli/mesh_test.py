@@ -10,7 +10,7 @@ import subprocess
 import time
 
 import program
-from program import (BAD_DATA, BLUNT_BODY, CANNOT_WRITE, OK, STEP, UNMET, USAGE, run)
+from program import (BAD_DATA, BLUNT_BODY, CANNOT_WRITE, NO_MEMORY, OK, STEP, UNMET, USAGE, run, run_within)
 
 STAGES = ["constraints", "quadtree", "density", "boundary", "triangulation", "carve", "fronts", "step1", "rounds", "refine"]
 FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
@@ -82,6 +82,15 @@ class Outputs(program.ProgramTest):
         self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("b.msh"), "--events", self.path("e.jsonl")))
         self.assertEqual((self.folder / "a.msh").read_bytes(), (self.folder / "b.msh").read_bytes())
 
+    def test_a_request_below_the_smallest_edge_is_noted(self):
+        domain = self.write("d.json", json.dumps({"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "density": [
+            {"name": "fine", "at": [0.5, 0.5], "length": 0.01}, {"at": [0.2, 0.5], "length": 0.1}]}))
+        error = self.expect(OK, run("mesh", domain, "-o", self.path("a.msh"))).stderr
+        self.assertEqual(error.count("note: density entry"), 1)
+        self.assertIn("note: density entry 'fine' asks for edges of length 0.01, but gets none below", error)
+        error = run("mesh", domain, "-o", self.path("a.msh"), "--set", "min_edge_length=0.01").stderr
+        self.assertNotIn("note: density", error)
+
     def test_settings_matter(self):
         triangles = {}
         for edge in ("1", "2"):
@@ -89,6 +98,59 @@ class Outputs(program.ProgramTest):
                                 "--set", "laplacian=off"))
             triangles[edge] = json.loads((self.folder / "r.json").read_text())["triangles"]
         self.assertGreater(triangles["1"], triangles["2"])
+
+
+class Limit(program.ProgramTest):
+    """A mesh that would be too large is not begun; the message says what asks for it and what to change."""
+
+    BOX = str(program.SOURCE / "tests" / "data" / "domains" / "box_1e16_triangles.json")
+
+    def test_every_subcommand_that_meshes(self):
+        for arguments in (["mesh", self.BOX, "-o", self.path("a.msh")], ["figure", self.BOX, "-o", self.path("a.svg")],
+                          ["sweep", self.BOX, "--omega", "0.1", "--theta", "7", "-o", self.path("a.csv")]):
+            error = self.expect(BAD_DATA, run(*arguments)).stderr
+            for words in ("e+15 triangles", "density entry 1", "max_triangles"):
+                self.assertIn(words, error)
+            self.assertEqual(self.files(), [])
+
+    def test_debug_shows_where_it_stops(self):
+        process = self.expect(OK, run("debug", self.BOX, "--print", "events:0-99999999", "-q"))
+        self.assertIn("more triangles than max_triangles allows", process.stdout)
+
+    def test_the_limit_can_be_moved(self):
+        for option in (["--max-triangles", "1000"], ["--set", "max_triangles=1000"]):
+            error = self.expect(BAD_DATA, run("mesh", BLUNT_BODY, "-q", "-o", self.path("a.msh"), *option)).stderr
+            self.assertIn("max_triangles is 1000", error)
+        self.expect(USAGE, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "many"))
+        self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "100000"))
+
+    def test_the_estimate_is_told(self):
+        error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"))).stderr
+        self.assertRegex(error, r"about \d+ triangles and [\d.]+ [kM]B of memory were estimated by Table 1\n")
+        error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.svg"), "--until", "quadtree")).stderr
+        self.assertNotIn("estimated", error)
+
+
+class Memory(program.ProgramTest):
+    """Too little memory is no defect of the program, and harms no file."""
+
+    ROOM = 300  # megabytes
+
+    def setUp(self):
+        super().setUp()
+        if run_within(self.ROOM, "--version").returncode != OK:
+            self.skipTest("the program alone takes more room, as under the sanitizers")
+        self.large = self.write("large.json", json.dumps({
+            "outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.0004,
+            "density": [{"box": [[0, 0], [1, 1]], "length": 0.0004}]}))
+        self.write("a.msh", "precious")
+
+    def test_is_said_in_words(self):
+        error = self.expect(NO_MEMORY, run_within(self.ROOM, "mesh", self.large, "-q", "-o", self.path("a.msh"))).stderr
+        self.assertIn("not enough memory", error)
+        self.assertNotIn("defect", error)
+        self.assertEqual((self.folder / "a.msh").read_text(), "precious")
+        self.assertEqual(self.files(), ["a.msh", "large.json"])
 
 
 class Bounds(program.ProgramTest):

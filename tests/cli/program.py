@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -12,7 +13,7 @@ DOMAINS = SOURCE / "assets" / "domains"
 STEP = str(DOMAINS / "step.json")
 BLUNT_BODY = str(DOMAINS / "blunt_body.json")
 
-OK, UNMET, USAGE, BAD_DATA, NO_INPUT, CANNOT_WRITE, CANCELLED, TERMINATED = 0, 1, 2, 65, 66, 73, 130, 143
+OK, UNMET, USAGE, BAD_DATA, NO_INPUT, NO_MEMORY, CANNOT_WRITE, CANCELLED, TERMINATED = 0, 1, 2, 65, 66, 71, 73, 130, 143
 
 # Takes the program seconds to mesh: there is time to press Ctrl+C.
 LONG_RUN = ["--set", "min_edge_length=0.00002"]
@@ -22,6 +23,14 @@ def run(*arguments, env=None, timeout=120):
     """Runs the program without a terminal; returns the finished process with text in stdout and stderr."""
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
                           stdin=subprocess.DEVNULL, env={**os.environ, **(env or {})}, check=False)
+
+
+def run_within(megabytes, *arguments):
+    """Like run(), with so much room for the program and what it allocates."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=120,
+                          stdin=subprocess.DEVNULL, preexec_fn=limit, check=False)
 
 
 class ProgramTest(unittest.TestCase):

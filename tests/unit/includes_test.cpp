@@ -33,6 +33,8 @@ constexpr std::array kLayers{
     Layer{"core/mesh/", 5},
     Layer{"core/state", 6},
     Layer{"core/hash", 7},
+    Layer{"core/estimate", 7},
+    Layer{"core/triangle_limit", 7},
     Layer{"core/pipeline.h", 7},
     Layer{"core/stages/", 8},
     Layer{"core/pipeline.cpp", 9},

@@ -49,6 +49,15 @@ TEST(Begin, NamesTheEdgeThatAsksForTooFineAMesh) {
   EXPECT_NE(state.error().message.find("the shortest edge of the domain is 1e-12 long"), std::string::npos);
 }
 
+// The Δx that is given would fit, but the density must follow the edge: its tree once had more ranks than bits.
+TEST(Begin, NamesAnEdgeThatIsTooShortForTheGivenDx) {
+  const auto state = begin(
+      support::domainFrom(R"({"outer": [[0, 0], [1, 0], [1, 1], [1e-11, 1], [0, 1]], "min_edge_length": 0.1})"), {});
+  ASSERT_FALSE(state.ok());
+  EXPECT_EQ(state.error().at, (Point{1e-11, 1}));
+  EXPECT_NE(state.error().message.find("the shortest edge of the domain is 1e-11 long"), std::string::npos);
+}
+
 TEST(Begin, RefusesADxThatFitsNoTree) {
   const support::DomainPtr domain = support::domainFrom(support::kFrame);
   for (const double minEdge : {17.0, 1e-9}) {

@@ -171,7 +171,7 @@ TEST(Sources, NothingAsksForLessThanAKeptEdgeCanBeSplitInto) {
 }
 
 TEST(DeriveMinEdge, IsTheFinestThatTheGeometryAsksFor) {
-  const auto derived = [](const std::string& json) { return deriveMinEdge(*support::domainFrom(json), {}); };
+  const auto derived = [](const std::string& json) { return *deriveMinEdge(*support::domainFrom(json), {}); };
   EXPECT_DOUBLE_EQ(derived(R"({"outer": [[0, 0], [8, 0], [8, 8], [0, 8]]})"), 0.2) << "a fortieth of the extent";
   EXPECT_NEAR(derived(R"({"outer": [[0, 0], [8, 0], [8, 8], [0, 8]],
     "holes": [{"kind": "circle", "centre": [4, 4], "radius": 0.01}]})"),

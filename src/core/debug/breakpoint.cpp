@@ -24,12 +24,16 @@ const Breakpoint* Watch::holding() const {
 }
 
 bool Watch::step(std::vector<Hit>& hits) {
-  events_.clear();
+  if (!working_) events_.clear();
   changes_.slots.clear();
   const std::size_t points = state_.mesh.points.size();
+  const std::uint64_t tick = state_.tick;
   Journal journal{&events_};
+  const bool more = advanceAPiece(state_, journal);
+  working_ = more && state_.tick == tick && state_.stage != Stage::finished;
+  if (working_) return true;
   // What follows the last decision has events but no tick: the end of the last stage, or the failure of one.
-  if (!advance(state_, Grain::decision, journal) || events_.empty()) return false;
+  if (!more || events_.empty()) return false;
   quality_.update(state_.mesh, changes_.slots);
   sinceInsertion_ = state_.mesh.points.size() > points ? 0 : sinceInsertion_ + 1;
   const std::uint8_t broken = brokenRules(state_, changes_.slots, events_, shortest_);

@@ -34,12 +34,14 @@ class Watch {
  public:
   Watch(MeshState& state, std::span<const Breakpoint> breakpoints);
 
-  /// One decision, or what follows the last one. False when the run is over. The hits of that decision, of every
-  /// action, are in `hits`.
+  /// One decision, a piece of the work for it (then nothing is met), or what follows the last one. False when the run
+  /// is over. The hits of that decision, of every action, are in `hits`.
   bool step(std::vector<Hit>& hits);
 
-  /// Events of the last decision.
-  [[nodiscard]] const std::vector<Event>& events() const { return events_; }
+  /// Events of the last decision; none while it is being worked on.
+  [[nodiscard]] std::span<const Event> events() const {
+    return working_ ? std::span<const Event>() : std::span<const Event>(events_);
+  }
   [[nodiscard]] const RunningQuality& quality() const { return quality_; }
   /// The first enabled breakpoint on the mesh alone whose condition holds already: it is met when it next becomes true.
   [[nodiscard]] const Breakpoint* holding() const;
@@ -53,9 +55,11 @@ class Watch {
   std::vector<Event> events_;
   std::vector<std::uint8_t> held_;  // per breakpoint: its condition held before this decision
   std::uint64_t sinceInsertion_ = 0;
+  bool working_ = false;  // events_ are of a decision to come
 };
 
-/// Asked before each decision that a search makes, with the state before it; false gives the search up. May be empty.
+/// Asked before each decision, or piece of one, that a search makes, with the state before it; false gives the search
+/// up. May be empty.
 using SearchPulse = std::function<bool(const MeshState&)>;
 
 /// Carries the state on to the first decision that meets an enabled breakpoint whose action is stop; the state is then

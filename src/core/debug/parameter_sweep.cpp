@@ -6,9 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <condition_variable>
+#include <exception>
 #include <iterator>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "core/history/history.h"
@@ -99,7 +101,8 @@ std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& o
   std::condition_variable changed;
   std::vector<std::size_t> finished;  // rows, in the order they came; under the mutex, as is the next
   std::size_t working = workers;
-  const auto work = [&] {
+  std::exception_ptr failure;  // under the mutex too: an exception must not leave a thread
+  const auto runPairs = [&] {
     for (std::size_t k = next++; k < rows.size(); k = next++) {
       const std::optional<SweepRow> row = carryOut(start, omegas[k / thetas.size()], thetas[k % thetas.size()], cancel);
       if (!row) break;
@@ -108,13 +111,35 @@ std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& o
       finished.push_back(k);
       changed.notify_one();
     }
+  };
+  const auto work = [&] {
+    std::exception_ptr thrown;
+    try {
+      runPairs();
+    } catch (...) {
+      thrown = std::current_exception();
+      next = rows.size();  // the others end too
+    }
     const std::lock_guard lock(mutex);
+    if (thrown) failure = thrown;
     --working;
     changed.notify_one();
   };
   std::vector<std::thread> pool;
   pool.reserve(workers);
-  for (std::size_t k = 0; k < workers; ++k) pool.emplace_back(work);
+  for (std::size_t k = 0; k < workers; ++k) {
+    try {
+      pool.emplace_back(work);
+    } catch (const std::system_error&) {  // no more threads to be had: as many as there are do the work
+      const std::lock_guard lock(mutex);
+      working -= workers - k;
+      break;
+    }
+  }
+  if (pool.empty()) {
+    working = 1;
+    work();
+  }
   for (std::size_t told = 0;; ++told) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [&] { return finished.size() > told || working == 0; });
@@ -124,6 +149,7 @@ std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& o
     if (done) done(row, rows[row]);
   }
   for (std::thread& thread : pool) thread.join();
+  if (failure) std::rethrow_exception(failure);
   if (cancel) rows.clear();
   return rows;
 }

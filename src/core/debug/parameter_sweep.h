@@ -40,7 +40,7 @@ bool precedesRefinement(const MeshState& state, const Settings& settings);
 /// One row for each pair, ω by ω, in the order given whatever the number of threads (0: one for each core). `start` is
 /// a state that steps 1-5 are over in and step 6 has not begun. `done` is called with each row and its number as soon
 /// as it is there, in any order, from this thread. Empty when `cancel` became true, which is looked at every few
-/// decisions.
+/// decisions. What a thread throws, such as std::bad_alloc, is thrown here.
 std::vector<SweepRow> sweep(const MeshState& start, const std::vector<double>& omegas,
                             const std::vector<double>& thetas, unsigned threads,
                             const std::function<void(std::size_t, const SweepRow&)>& done,

@@ -26,12 +26,14 @@ bool Recording::pulse(const MeshState& state) { return ++beats_ % kBeatsPerPulse
 template <class Reached>
 bool Recording::carryOn(Reached reached) {
   Journal journal{&beat_};
-  while (!reached()) {
+  bool decided = true;  // not in the middle of a decision
+  while (!decided || !reached()) {
     const std::uint64_t tick = state_.tick;
     if (!pulse(state_)) return false;
-    const bool more = advance(state_, Grain::decision, journal);
+    const bool more = advanceAPiece(state_, journal);
     keepBeat();
     if (!more) return false;
+    decided = state_.tick > tick || over();
     if (state_.tick > tick) history_.offer(state_, events_.size());
   }
   return true;
@@ -80,7 +82,7 @@ std::optional<Hit> Recording::toNextHit(std::span<const Breakpoint> breakpoints,
   std::vector<Hit> hits;
   while (pulse(state_) && watch.step(hits)) {
     events_.append(watch.events());
-    if (!over()) history_.offer(state_, events_.size());
+    if (!over() && !watch.events().empty()) history_.offer(state_, events_.size());
     std::optional<Hit> stop;
     for (const Hit& hit : hits) {
       if (breakpoints[hit.breakpoint].action != Breakpoint::Action::stop)

@@ -20,6 +20,14 @@ constexpr std::array<double, 192> kRankLengths = [] {
   return lengths;
 }();
 
+// Square of rank-1 side so far from the root's corner along an axis.
+std::uint32_t latticeOf(const Quadtree& tree, double distance) {
+  const std::uint32_t all = 1u << (cellAt(tree, 0).rank - 1);
+  const double s = distance * (0.25 * tree.minEdgeInverse);
+  if (!(s > 0.0)) return 0;
+  return s >= static_cast<double>(all) ? all - 1 : static_cast<std::uint32_t>(s);
+}
+
 bool holds(const Cell& cell, std::uint32_t x, std::uint32_t y) {
   const std::uint32_t side = 1u << (cell.rank - 1);
   return x - cell.x < side && y - cell.y < side;  // what is less wraps round to much more
@@ -154,14 +162,31 @@ std::int32_t coarseNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& 
   return firstNeighbour(tree, leaf, path, [&](std::int32_t other) { return cellAt(tree, other).rank > most; });
 }
 
+LatticeBox latticeBoxOf(const Quadtree& tree, const Box& box) {
+  return {latticeOf(tree, box.lo.x - tree.origin.x), latticeOf(tree, box.lo.y - tree.origin.y),
+          latticeOf(tree, box.hi.x - tree.origin.x), latticeOf(tree, box.hi.y - tree.origin.y)};
+}
+
+bool meets(const Cell& cell, const LatticeBox& box) {
+  const std::uint32_t side = 1u << (cell.rank - 1);
+  return cell.x <= box.x1 && cell.y <= box.y1 && box.x0 < cell.x + side && box.y0 < cell.y + side;
+}
+
+void leavesIn(const Quadtree& tree, const LatticeBox& box, std::vector<std::int32_t>& found) {
+  found.clear();
+  std::vector<std::int32_t> stack{0};
+  while (!stack.empty()) {
+    const std::int32_t index = stack.back();
+    stack.pop_back();
+    const Cell& cell = cellAt(tree, index);
+    if (!meets(cell, box)) continue;
+    if (cell.child < 0) found.push_back(index);
+    for (std::int32_t k = 4; cell.child >= 0 && k-- > 0;) stack.push_back(cell.child + k);
+  }
+}
+
 std::int32_t leafAt(const Quadtree& tree, Point p, LeafPath& path) {
-  const std::uint32_t all = 1u << (cellAt(tree, 0).rank - 1);
-  const double scale = 0.25 * tree.minEdgeInverse;
-  const auto lattice = [all](double s) -> std::uint32_t {
-    if (!(s > 0.0)) return 0;
-    return s >= static_cast<double>(all) ? all - 1 : static_cast<std::uint32_t>(s);
-  };
-  return leafOver(tree, lattice((p.x - tree.origin.x) * scale), lattice((p.y - tree.origin.y) * scale), path);
+  return leafOver(tree, latticeOf(tree, p.x - tree.origin.x), latticeOf(tree, p.y - tree.origin.y), path);
 }
 
 std::int32_t leafAt(const Quadtree& tree, Point p) {

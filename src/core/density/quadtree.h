@@ -68,6 +68,18 @@ void neighboursOf(const Quadtree& tree, std::int32_t leaf, std::vector<std::int3
 std::int32_t unvisitedNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path);
 std::int32_t coarseNeighbour(const Quadtree& tree, std::int32_t leaf, LeafPath& path);
 
+/// Squares of rank-1 side from (x0, y0) to (x1, y1), both counted in.
+struct LatticeBox {
+  std::uint32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+/// Those that hold a point of the box; what lies outside the root counts as its nearest square.
+LatticeBox latticeBoxOf(const Quadtree& tree, const Box& box);
+/// Whether a cell has one of them.
+bool meets(const Cell& cell, const LatticeBox& box);
+
+/// Leaves that have one of them, in the order of the tree.
+void leavesIn(const Quadtree& tree, const LatticeBox& box, std::vector<std::int32_t>& found);
+
 /// Leaf that holds p (points outside the root go to the nearest leaf).
 std::int32_t leafAt(const Quadtree& tree, Point p, LeafPath& path);
 std::int32_t leafAt(const Quadtree& tree, Point p);

@@ -19,8 +19,8 @@ std::size_t bytesOf(const MeshState& s) {
   const Mesh& m = s.mesh;
   return sizeof(MeshState) + bytesIn(m.points) + bytesIn(m.kinds) + bytesIn(m.density) + bytesIn(m.vertexTriangle) +
          bytesIn(m.vertexEdge) + bytesIn(m.triangles) + bytesIn(m.ids) + bytesIn(m.flags) + bytesIn(m.tested) +
-         bytesIn(m.freeSlots) + bytesIn(m.edges) + bytesIn(s.constraints) + bytesIn(s.tree.cells) +
-         bytesIn(s.boundary) + bytesIn(s.front1) + bytesIn(s.front2) + bytesIn(s.frontLoops) +
+         bytesIn(m.freeSlots) + bytesIn(m.edges) + bytesIn(s.constraints) + bytesIn(s.search.found) +
+         bytesIn(s.tree.cells) + bytesIn(s.boundary) + bytesIn(s.front1) + bytesIn(s.front2) + bytesIn(s.frontLoops) +
          bytesIn(s.cursor.worklist) + bytesIn(s.cursor.next) + bytesIn(s.cursor.points);
 }
 

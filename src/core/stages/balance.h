@@ -7,8 +7,8 @@ namespace triscope {
 
 /// Puts every leaf on the cursor's worklist.
 void queueLeaves(MeshState& state);
-/// Splits one leaf that is more than one rank larger than a neighbour on the worklist; done when there is none.
+/// Splits one leaf that is more than one rank larger than a neighbour on the worklist; `worked` when none was found
+/// yet, done when there is none.
 Outcome balanceOne(MeshState& state, Journal& journal);
-void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32_t leaf, std::int32_t first);
 
 }  // namespace triscope

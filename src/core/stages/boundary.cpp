@@ -7,6 +7,8 @@
 namespace triscope {
 namespace {
 
+constexpr int kOneByOne = 64;  // points at most that are taken from a curve one at a time, each time placing the rest
+
 struct Sample {
   double t;
   double integral;  // ∫ ds / h from the curve's start
@@ -62,7 +64,15 @@ void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   integrate(state, curve, samples);
   int n = std::max(fewest, static_cast<int>(std::floor(samples.back().integral + 0.5)));
   place(samples, n, params);
-  while (n > fewest && shortestChord(curve, params) < state.minEdge * (1.0 - 1e-9)) place(samples, --n, params);
+  const double least = state.minEdge * (1.0 - 1e-9);
+  double shortest = shortestChord(curve, params);
+  for (int tries = 0; n > fewest && shortest < least; ++tries) {
+    // One fewer is enough as a rule. Where it is not for long, as many as bring the shortest up to Δx.
+    const int fewer = tries < kOneByOne ? n - 1 : static_cast<int>(n * (shortest / state.minEdge));
+    n = std::clamp(fewer, fewest, n - 1);
+    place(samples, n, params);
+    shortest = shortestChord(curve, params);
+  }
   for (std::size_t k = 0; k < params.size(); ++k) {
     const bool end = k == 0 || k + 1 == params.size();
     const Point at = k == 0 ? curve.a : k + 1 == params.size() ? curve.b : pointAt(curve, params[k]);

@@ -4,6 +4,7 @@
 
 #include "core/density/classify.h"
 #include "core/stages/balance.h"
+#include "core/stages/split_leaf.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -11,6 +12,7 @@ namespace {
 
 enum Phase : std::uint32_t { advance_front, balance, classify, over };
 constexpr std::size_t kRanks = 256;
+constexpr int kPiece = 1024;  // entries of the front looked at before a driver may look up
 
 // The front is kept in buckets by density rank: worklist[rank] heads a list of entries in `next`, each a cell and the
 // index of the entry after it. A cell may wait in two buckets; the one that no longer fits its rank is stale.
@@ -42,12 +44,7 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
   const int before = b.density;
   int rank = std::min<int>({before, a.density + 1, state.settings.maxRank});
   if (b.rank > largestCellRank(rank)) {
-    const std::int32_t first = splitCell(tree, other);
-    recordSplit(state, journal, Rule::advancing_front, other, first);
-    if (journal.listening()) {
-      journal.events->back().other = static_cast<std::uint32_t>(leaf);
-      journal.events->back().limit = largestCellRank(rank);
-    }
+    splitLeaf(state, journal, {Rule::advancing_front, static_cast<std::uint32_t>(leaf), largestCellRank(rank)}, other);
     return Outcome::decided;
   }
   if (b.rank < smallestCellRank(rank)) rank = a.density;
@@ -70,7 +67,8 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
 Outcome advanceFront(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   thread_local LeafPath path;
-  while (cursor.index < kRanks) {
+  for (int looked = 0; cursor.index < kRanks; ++looked) {
+    if (looked == kPiece) return Outcome::worked;
     const std::int32_t entry = cursor.worklist[cursor.index];
     if (entry < 0) {
       ++cursor.index;
@@ -92,20 +90,22 @@ Outcome advanceFront(MeshState& state, Journal& journal) {
 }  // namespace
 
 Outcome runDensity(MeshState& state, Journal& journal) {
+  if (state.failed) return Outcome::done;
   Cursor& cursor = state.cursor;
   if (!cursor.begun) begin(state);
   if (cursor.phase == advance_front) {
-    if (advanceFront(state, journal) == Outcome::decided) return Outcome::decided;
+    if (const Outcome outcome = advanceFront(state, journal); outcome != Outcome::done) return outcome;
     cursor.phase = balance;
     queueLeaves(state);
   }
   if (cursor.phase == balance) {
-    if (balanceOne(state, journal) == Outcome::decided) return Outcome::decided;
+    if (const Outcome outcome = balanceOne(state, journal); outcome != Outcome::done) return outcome;
     cursor.phase = classify;
   }
   if (cursor.phase == classify) {
     state.estimatedTriangles = classifyCells(state.tree, *state.domain);
     cursor.phase = over;
+    holdToLimit(state, state.estimatedTriangles, journal);
   }
   return Outcome::done;
 }

@@ -2,7 +2,9 @@
 // tree is balanced, and the constraints' ranks are written into their leaves.
 #include <algorithm>
 
+#include "core/density/sources.h"
 #include "core/stages/balance.h"
+#include "core/stages/split_leaf.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -17,37 +19,51 @@ int wishedRank(const MeshState& state, const Constraint& constraint) {
   return std::min({rank, state.settings.maxRank, 3 * state.tree.cells[0].rank});
 }
 
-}  // namespace
+constexpr int kPiece = 1024;  // cells looked at before a driver may look up: some microseconds
 
-void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32_t leaf, std::int32_t first) {
-  if (!journal.listening()) return;
-  const Cell& cell = state.tree.cells[static_cast<std::size_t>(leaf)];
-  Event event = eventIn(state, EventKind::cell_split, rule);
-  event.subject = static_cast<std::uint32_t>(leaf);
-  event.created = static_cast<std::uint32_t>(first);
-  event.createdCount = 4;
-  event.measured = cell.rank;
-  event.at = state.tree.corner(cell);
-  journal.record(event);
+// Down the tree to the leaves that constraints hold in, constraint by constraint: index is the constraint, worklist the
+// cells still to look at for it, the next one last. Decided after a leaf that `decide(constraint, leaf)` was true for.
+template <class Decide>
+Outcome nextLeaf(MeshState& state, const Decide& decide) {
+  Cursor& cursor = state.cursor;
+  int looked = 0;
+  for (; cursor.index < state.constraints.size(); ++cursor.index) {
+    const Constraint& constraint = state.constraints[cursor.index];
+    const LatticeBox patch = latticeBoxOf(state.tree, reachOf(constraint, *state.domain));
+    if (!cursor.inside) cursor.worklist.assign(1, 0);
+    cursor.inside = true;
+    while (!cursor.worklist.empty()) {
+      if (++looked > kPiece) return Outcome::worked;
+      const std::int32_t index = cursor.worklist.back();
+      cursor.worklist.pop_back();
+      const Cell& cell = state.tree.cells[static_cast<std::size_t>(index)];
+      if (!meets(cell, patch)) continue;
+      if (cell.child >= 0) {
+        for (std::int32_t k = 4; k-- > 0;) cursor.worklist.push_back(cell.child + k);
+      } else if (decide(constraint, index)) {
+        return Outcome::decided;
+      }
+    }
+    cursor.inside = false;
+  }
+  return Outcome::done;
 }
+
+}  // namespace
 
 Outcome balanceOne(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Quadtree& tree = state.tree;
-  while (!cursor.worklist.empty()) {
+  for (int looked = 0; !cursor.worklist.empty(); ++looked) {
+    if (looked == kPiece) return Outcome::worked;
     const std::int32_t leaf = cursor.worklist.back();
     const Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
     if (cell.child < 0) {
       const std::int32_t other = coarseNeighbour(tree, leaf, path);
       if (other >= 0) {
-        const int limit = cell.rank + 1;
-        const std::int32_t first = splitCell(tree, other);
+        const SplitReason why{Rule::balance, static_cast<std::uint32_t>(leaf), cell.rank + 1};
+        const std::int32_t first = splitLeaf(state, journal, why, other);
         for (std::int32_t k = 0; k < 4; ++k) cursor.worklist.push_back(first + k);
-        recordSplit(state, journal, Rule::balance, other, first);
-        if (journal.listening()) {
-          journal.events->back().other = static_cast<std::uint32_t>(leaf);
-          journal.events->back().limit = limit;
-        }
         return Outcome::decided;
       }
     }
@@ -64,50 +80,44 @@ void queueLeaves(MeshState& state) {
 }
 
 Outcome runQuadtree(MeshState& state, Journal& journal) {
+  if (state.failed) return Outcome::done;
   Cursor& cursor = state.cursor;
-  Quadtree& tree = state.tree;
   cursor.begun = true;
   if (cursor.phase == split_for_constraints) {
-    for (; cursor.index < state.constraints.size(); ++cursor.index) {
-      const Constraint& constraint = state.constraints[cursor.index];
-      const std::int32_t leaf = leafAt(tree, constraint.at, path);
-      if (tree.cells[static_cast<std::size_t>(leaf)].rank <= largestCellRank(wishedRank(state, constraint))) continue;
-      const std::int32_t first = splitCell(tree, leaf);
-      recordSplit(state, journal, constraint.source, leaf, first);
-      if (journal.listening()) {
-        journal.events->back().other = static_cast<std::uint32_t>(cursor.index);
-        journal.events->back().limit = largestCellRank(wishedRank(state, constraint));
-      }
-      return Outcome::decided;
-    }
+    const auto split = [&](const Constraint& constraint, std::int32_t leaf) {
+      const int largest = largestCellRank(wishedRank(state, constraint));
+      if (state.tree.cells[static_cast<std::size_t>(leaf)].rank <= largest) return false;
+      const std::int32_t first =
+          splitLeaf(state, journal, {constraint.source, static_cast<std::uint32_t>(cursor.index), largest}, leaf);
+      for (std::int32_t k = 4; k-- > 0;) cursor.worklist.push_back(first + k);
+      return true;
+    };
+    if (const Outcome outcome = nextLeaf(state, split); outcome != Outcome::done) return outcome;
     cursor.phase = balance;
     queueLeaves(state);
   }
   if (cursor.phase == balance) {
-    if (balanceOne(state, journal) == Outcome::decided) return Outcome::decided;
+    if (const Outcome outcome = balanceOne(state, journal); outcome != Outcome::done) return outcome;
     cursor.phase = rank_constraints;
     cursor.index = 0;
   }
-  for (; cursor.index < state.constraints.size(); ++cursor.index) {
-    const Constraint& constraint = state.constraints[cursor.index];
-    const std::int32_t leaf = leafAt(tree, constraint.at, path);
-    Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
-    const int rank = wishedRank(state, constraint);
-    if (rank >= cell.density) continue;
+  const auto rank = [&](const Constraint& constraint, std::int32_t leaf) {
+    Cell& cell = state.tree.cells[static_cast<std::size_t>(leaf)];
+    const int wished = wishedRank(state, constraint);
+    if (wished >= cell.density) return false;
     if (journal.listening()) {
       Event event = eventIn(state, EventKind::cell_ranked, constraint.source);
       event.subject = static_cast<std::uint32_t>(leaf);
       event.other = static_cast<std::uint32_t>(cursor.index);
-      event.measured = rank;
+      event.measured = wished;
       event.limit = cell.density;
       event.at = constraint.at;
       journal.record(event);
     }
-    cell.density = static_cast<std::uint8_t>(rank);
-    ++cursor.index;
-    return Outcome::decided;
-  }
-  return Outcome::done;
+    cell.density = static_cast<std::uint8_t>(wished);
+    return true;
+  };
+  return nextLeaf(state, rank);
 }
 
 }  // namespace triscope
