@@ -87,6 +87,11 @@ void addSet(CLI::App& command, Texts& texts) {
   command.add_option("--set", texts.set, "Change a setting; 'triscope settings' lists them")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option_function<std::string>(
+          "--max-triangles", [&texts](const std::string& most) { texts.set.push_back("max_triangles=" + most); },
+          "Stop before a mesh of more is made; the same as --set max_triangles=N")
+      ->type_name("N");
 }
 
 void addWindow(CLI::App& app, WindowOptions& options) {
@@ -220,7 +225,8 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   app.require_subcommand(0, 1);
   app.footer(
       "Exit codes: 0 done, 1 the method could not go on (check: a bound not met or a mesh not valid), 2 wrong usage,\n"
-      "65 bad data, 66 no such input, 69 no display, 70 a defect of the program, 73 an output cannot be written,\n"
+      "65 bad data or more triangles than --max-triangles, 66 no such input, 69 no display, 70 a defect of the "
+      "program, 73 an output cannot be written,\n"
       "130 stopped by Ctrl+C.");
 
   WindowOptions window;

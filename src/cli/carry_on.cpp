@@ -9,12 +9,19 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "core/domain/read.h"
+#include "core/estimate.h"
 #include "core/pipeline.h"
+#include "core/triangle_limit.h"
 
 namespace triscope {
 namespace {
 
 constexpr int kSlice = 4096;  // decisions between two looks at Ctrl+C: a few milliseconds
+
+void sayEstimate(const Estimate& estimate) {
+  fmt::print(stderr, "about {} triangles to be made by the estimate of Table 1, {} of memory\n",
+             roughCount(estimate.triangles), bytesText(estimate.bytes));
+}
 
 }  // namespace
 
@@ -47,12 +54,17 @@ Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, b
     }
     if (interrupted())
       return Error{.code = ExitCode::cancelled, .message = "stopped by Ctrl+C", .hint = "nothing was written"};
+    if (!quiet && stage == Stage::density && state.stage > stage && !state.failed) {
+      progress.clear();
+      sayEstimate(estimateOf(state));
+    }
     progress.show(state);
   }
   return seconds;
 }
 
 Error failureOf(const MeshState& failed) {
+  if (overLimit(failed)) return tooManyTriangles(failed);
   // Failures are rare and runs repeat exactly: a run without a listener learns the reason by running again with one.
   std::vector<Event> events;
   Journal journal{&events};

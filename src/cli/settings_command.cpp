@@ -8,13 +8,13 @@ namespace {
 
 std::string number(const SettingInfo& info, double value) {
   if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
-  return fmt::format("{:g}", value);
+  return fmt::format("{:.9g}", value);
 }
 
 std::string range(const SettingInfo& info) {
   if (std::holds_alternative<bool Settings::*>(info.member)) return "on, off";
   if (info.highest > 1e100) return fmt::format(">= {:g}", info.lowest);
-  return fmt::format("{:g} .. {:g}", info.lowest, info.highest);
+  return fmt::format("{:.9g} .. {:.9g}", info.lowest, info.highest);
 }
 
 std::string paperRange(const SettingInfo& info) {
@@ -24,7 +24,7 @@ std::string paperRange(const SettingInfo& info) {
 }  // namespace
 
 ExitCode runCommand(const SettingsCommand&) {
-  constexpr auto row = "{:<16} {:<3} {:<8} {:<12} {:<13} {:<10} {}\n";
+  constexpr auto row = "{:<16} {:<3} {:<8} {:<14} {:<13} {:<10} {}\n";
   fmt::print(fmt::runtime(row), "setting", "", "default", "range", "paper's range", "unit", "what it does");
   for (const SettingInfo& info : settingTable())
     fmt::print(fmt::runtime(row), info.key, info.symbol, number(info, settingValue(Settings{}, info)), range(info),

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/counted.h"
+#include "core/estimate.h"
 #include "core/pipeline.h"
 #include "core/quality/bound_figure.h"
 
@@ -104,6 +105,8 @@ std::string refusalOf(const Event& e) {
     case Refusal::too_close:
     case Refusal::edge_below_minimum:
       return fmt::format("{} ({} < {})", why, number(e.measured), number(e.limit));
+    case Refusal::too_many_triangles:
+      return fmt::format("{} ({} > {:.0f})", why, roughCount(e.measured), e.limit);
     case Refusal::star_worse:  // in aspect ratio, or else in one of the measures that the event does not name
       return e.measured > e.limit ? fmt::format("{} (aspect ratio {:.4g}, now {:.4g})", why, e.measured, e.limit)
                                   : why + " (in obtuse angles, area ratio or edge ratio)";
@@ -207,7 +210,8 @@ std::string captionOf(const Event& e) {
       return fmt::format("{}: vertex {} stays where it is, because {}.", capitalised(name(e.rule)), e.vertex,
                          refusalOf(e));
     case EventKind::failure:
-      return fmt::format("{} cannot go on at {}.", stage, place(e.at));
+      return fmt::format("{} cannot go on at {}{}.", stage, place(e.at),
+                         e.refusal == Refusal::none ? std::string() : ": " + refusalOf(e));
   }
   return {};
 }
@@ -224,9 +228,10 @@ std::string captionOf(const Event& e, const MeshState& state) {
     case Stage::density: {
       const Leaves leaves = leavesOf(state.tree);
       return fmt::format(
-          "{} is done: {}, ranks {}–{}, {} estimated.", stage, counted(leaves.cells, "leaf cell", "leaf cells"),
-          leaves.lowest, leaves.highest,
-          counted(static_cast<std::uint64_t>(std::llround(state.estimatedTriangles)), "triangle", "triangles"));
+          "{} is done: {}, ranks {}–{}, {} estimated, {} of memory.", stage,
+          counted(leaves.cells, "leaf cell", "leaf cells"), leaves.lowest, leaves.highest,
+          counted(static_cast<std::uint64_t>(std::llround(state.estimatedTriangles)), "triangle", "triangles"),
+          bytesText(estimateOf(state).bytes));
     }
     case Stage::boundary:
       return fmt::format(

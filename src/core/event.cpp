@@ -71,6 +71,7 @@ constexpr std::array kRefusals = std::to_array<Words>({
     {"star gets worse", "the triangles around the vertex would be worse than before"},
     {"breaks a bound", "a bound on aspect, area ratio, edge ratio or angle would no longer hold"},
     {"budget spent", "the stage has used up the steps it is allowed"},
+    {"too many triangles", "the mesh would have more triangles than max_triangles allows"},
 });
 static_assert(kRefusals.size() == static_cast<std::size_t>(kRefusalCount));
 

@@ -68,8 +68,9 @@ enum class Refusal : std::uint8_t {
   star_worse,           // the star would be worse than before
   bound_broken,         // a bound of section 3 would no longer hold
   budget_spent,
+  too_many_triangles,  // the mesh would have more than Settings::maxTriangles
 };
-inline constexpr int kRefusalCount = static_cast<int>(Refusal::budget_spent) + 1;
+inline constexpr int kRefusalCount = static_cast<int>(Refusal::too_many_triangles) + 1;
 
 inline constexpr std::uint32_t kNoId = 0xffffffffu;
 

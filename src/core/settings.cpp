@@ -13,7 +13,8 @@
 namespace triscope {
 namespace {
 
-constexpr double kLongest = 1e300;  // any finite length
+constexpr double kLongest = 1e300;      // any finite length
+constexpr double kMostTriangles = 5e8;  // half-edges and ids are counted in 32 bits
 
 constexpr std::array kTable{
     SettingInfo{"min_edge_length", "Δx", "smallest edge", "length", &Settings::minEdge, 0.0, kLongest, 0.0, 0.0,
@@ -30,6 +31,9 @@ constexpr std::array kTable{
                 "Where two boundary pieces face each other, edges are this fraction of the distance between them."},
     SettingInfo{"max_rank", "i", "coarsest density rank", "rank", &Settings::maxRank, 1.0, 96.0, 0.0, 0.0,
                 Stage::constraints, "No cell is given a density rank above this, so no edge grows beyond its length."},
+    SettingInfo{"max_triangles", "", "most triangles", "triangles", &Settings::maxTriangles, 1.0, kMostTriangles, 0.0,
+                0.0, Stage::quadtree,
+                "The run stops before it makes a mesh that Table 1 estimates to have more triangles than this."},
     SettingInfo{"max_rounds", "", "budget of rounds", "rounds", &Settings::maxRounds, 1.0, 10000.0, 0.0, 0.0,
                 Stage::step2, "Steps 2 to 5 stop after this many rounds even if the last one inserted a point."},
     SettingInfo{"step4_area_ratio", "", "step 4: area ratio it acts on", "ratio", &Settings::step4AreaRatio, 0.0, 3.0,
@@ -64,14 +68,14 @@ std::string keys() {
 std::string range(const SettingInfo& info) {
   if (std::holds_alternative<bool Settings::*>(info.member)) return "on or off";
   if (info.highest >= kLongest) return fmt::format("at least {:g}", info.lowest);
-  return fmt::format("from {:g} to {:g}", info.lowest, info.highest);
+  return fmt::format("from {:.9g} to {:.9g}", info.lowest, info.highest);
 }
 
 Error refused(const SettingInfo& info, std::string message) {
   const double standard = settingValue(Settings{}, info);
   const std::string text = std::holds_alternative<bool Settings::*>(info.member)
                                ? std::string(standard != 0.0 ? "on" : "off")
-                               : fmt::format("{:g}", standard);
+                               : fmt::format("{:.9g}", standard);
   return Error{.code = ExitCode::usage,
                .message = std::move(message),
                .hint = fmt::format("give {} (default {})", range(info), text)};

@@ -17,6 +17,7 @@ struct Settings {
   double cornerTurn = 60.0;     // degrees: a boundary that turns more at a kept point has an extreme point there
   double gapFraction = 0.3;     // edge length across a gap, as a fraction of its width
   int maxRank = 64;             // coarsest density rank allowed
+  int maxTriangles = 20000000;  // the method stops before it makes a mesh of more
   int maxRounds = 60;           // budget of rounds of steps 2-5
   double step4AreaRatio = 1.8;  // step 4 leaves pairs below this area ratio alone; 0: none, as in the paper
   double omega = 0.15;          // ω, Laplacian filter

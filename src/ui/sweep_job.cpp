@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "core/pipeline.h"
+#include "core/triangle_limit.h"
 
 namespace triscope {
 namespace {
@@ -43,6 +44,7 @@ Status SweepJob::carryOut(const Task& task, const std::function<void()>& wake) {
   const bool prepared = advanceUntil(state, Stage::step5, cancel_);
   preparing_ = false;
   if (!prepared) return cancelled();
+  if (overLimit(state)) return tooManyTriangles(state);
   if (state.failed)
     return Error{.code = ExitCode::unmet,
                  .message = "the method cannot go on before step 6, so there is nothing to sweep",

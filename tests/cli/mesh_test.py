@@ -91,6 +91,35 @@ class Outputs(program.ProgramTest):
         self.assertGreater(triangles["1"], triangles["2"])
 
 
+class Limit(program.ProgramTest):
+    """A mesh that would be too large is not begun; the message says what asks for it and what to change."""
+
+    BOX = str(program.SOURCE / "tests" / "data" / "domains" / "box_1e16_triangles.json")
+
+    def test_every_subcommand_that_meshes(self):
+        for arguments in (["mesh", self.BOX, "-o", self.path("a.msh")], ["figure", self.BOX, "-o", self.path("a.svg")],
+                          ["sweep", self.BOX, "--omega", "0.1", "--theta", "7", "-o", self.path("a.csv")]):
+            error = self.expect(BAD_DATA, run(*arguments)).stderr
+            for words in ("e+15 triangles", "density entry 1", "max_triangles"):
+                self.assertIn(words, error)
+            self.assertEqual(self.files(), [])
+
+    def test_debug_shows_where_it_stops(self):
+        process = self.expect(OK, run("debug", self.BOX, "--print", "events:0-99999999", "-q"))
+        self.assertIn("more triangles than max_triangles allows", process.stdout)
+
+    def test_the_limit_can_be_moved(self):
+        for option in (["--max-triangles", "1000"], ["--set", "max_triangles=1000"]):
+            error = self.expect(BAD_DATA, run("mesh", BLUNT_BODY, "-q", "-o", self.path("a.msh"), *option)).stderr
+            self.assertIn("max_triangles is 1000", error)
+        self.expect(USAGE, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "many"))
+        self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "100000"))
+
+    def test_the_estimate_is_told_before_the_mesh_is_made(self):
+        error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"))).stderr
+        self.assertRegex(error, r"about \d+ triangles to be made by the estimate of Table 1, [\d.]+ [kM]B of memory\n")
+
+
 class Bounds(program.ProgramTest):
     """A mesh that breaks a bound is a mesh: exit code 0, and a note that says where, and whether the input excuses it."""
 

@@ -28,6 +28,7 @@ TEST(EventNames, StandBesideTheirEnumerators) {
   EXPECT_EQ(name(Rule::delaunay_flip), "Delaunay flip");
   EXPECT_EQ(name(Refusal::too_close), "too close");
   EXPECT_EQ(name(Refusal::budget_spent), "budget spent");
+  EXPECT_EQ(name(Refusal::too_many_triangles), "too many triangles");
 }
 
 TEST(EventNames, OnlyNoneNeedsNoWords) {

@@ -47,6 +47,7 @@ TEST(SettingTable, EveryMemberOfSettingsIsInIt) {
   EXPECT_NE(moved.cornerTurn, standard.cornerTurn);
   EXPECT_NE(moved.gapFraction, standard.gapFraction);
   EXPECT_NE(moved.maxRank, standard.maxRank);
+  EXPECT_NE(moved.maxTriangles, standard.maxTriangles);
   EXPECT_NE(moved.maxRounds, standard.maxRounds);
   EXPECT_NE(moved.omega, standard.omega);
   EXPECT_NE(moved.theta, standard.theta);

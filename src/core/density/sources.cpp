@@ -157,14 +157,10 @@ void gaps(Search& search) {
   }
 }
 
-double requested(const DensityRequest& request, double minEdge) {
-  return request.rank > 0 ? minEdge * rankLength(request.rank) : request.length;
-}
-
 void requests(Search& search) {
   for (std::size_t k = 0; k < search.domain.density.size(); ++k) {
     const DensityRequest& request = search.domain.density[k];
-    const double wish = requested(request, search.minEdge);
+    const double wish = lengthWanted(request, search.minEdge);
     const auto index = static_cast<std::uint32_t>(k);
     if (request.where == DensityRequest::Where::point) {
       search.ask(request.at, wish, Rule::user_request, index);
@@ -205,6 +201,10 @@ void geometry(Search& search) {
 }
 
 }  // namespace
+
+double lengthWanted(const DensityRequest& request, double minEdge) {
+  return request.rank > 0 ? minEdge * rankLength(request.rank) : request.length;
+}
 
 std::vector<Constraint> findConstraints(const Domain& domain, const Settings& settings, double minEdge) {
   Search search{domain, settings, minEdge, extentOf(domain), {}};

@@ -14,6 +14,9 @@ namespace triscope {
 /// but for short_edge.
 std::vector<Constraint> findConstraints(const Domain& domain, const Settings& settings, double minEdge);
 
+/// Edge length that the user asks for; `minEdge` is Δx, which ranks are multiples of.
+double lengthWanted(const DensityRequest& request, double minEdge);
+
 /// Edge length of density rank 1: Δx, or where kept input edges are shorter than that, Δx halved until it is no
 /// more than a third above the shortest of them (the density cannot forbid what the input fixes).
 double finestLength(const Domain& domain, double minEdge);

@@ -9,6 +9,5 @@ namespace triscope {
 void queueLeaves(MeshState& state);
 /// Splits one leaf that is more than one rank larger than a neighbour on the worklist; done when there is none.
 Outcome balanceOne(MeshState& state, Journal& journal);
-void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32_t leaf, std::int32_t first);
 
 }  // namespace triscope

@@ -4,6 +4,7 @@
 
 #include "core/density/classify.h"
 #include "core/stages/balance.h"
+#include "core/stages/split_leaf.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -42,12 +43,7 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
   const int before = b.density;
   int rank = std::min<int>({before, a.density + 1, state.settings.maxRank});
   if (b.rank > largestCellRank(rank)) {
-    const std::int32_t first = splitCell(tree, other);
-    recordSplit(state, journal, Rule::advancing_front, other, first);
-    if (journal.listening()) {
-      journal.events->back().other = static_cast<std::uint32_t>(leaf);
-      journal.events->back().limit = largestCellRank(rank);
-    }
+    splitLeaf(state, journal, {Rule::advancing_front, static_cast<std::uint32_t>(leaf), largestCellRank(rank)}, other);
     return Outcome::decided;
   }
   if (b.rank < smallestCellRank(rank)) rank = a.density;
@@ -96,6 +92,7 @@ Outcome advanceFront(MeshState& state, Journal& journal) {
 }  // namespace
 
 Outcome runDensity(MeshState& state, Journal& journal) {
+  if (state.failed) return Outcome::done;
   Cursor& cursor = state.cursor;
   if (!cursor.begun) begin(state);
   if (cursor.phase == advance_front) {
@@ -110,6 +107,7 @@ Outcome runDensity(MeshState& state, Journal& journal) {
   if (cursor.phase == classify) {
     state.estimatedTriangles = classifyCells(state.tree, *state.domain);
     cursor.phase = over;
+    holdToLimit(state, state.estimatedTriangles, journal);
   }
   return Outcome::done;
 }

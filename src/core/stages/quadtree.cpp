@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/stages/balance.h"
+#include "core/stages/split_leaf.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -17,18 +18,6 @@ int wishedRank(const MeshState& state, const Constraint& constraint) {
 
 }  // namespace
 
-void recordSplit(const MeshState& state, Journal& journal, Rule rule, std::int32_t leaf, std::int32_t first) {
-  if (!journal.listening()) return;
-  const Cell& cell = state.tree.cells[static_cast<std::size_t>(leaf)];
-  Event event = eventIn(state, EventKind::cell_split, rule);
-  event.subject = static_cast<std::uint32_t>(leaf);
-  event.created = static_cast<std::uint32_t>(first);
-  event.createdCount = 4;
-  event.measured = cell.rank;
-  event.at = state.tree.corner(cell);
-  journal.record(event);
-}
-
 Outcome balanceOne(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Quadtree& tree = state.tree;
@@ -41,14 +30,9 @@ Outcome balanceOne(MeshState& state, Journal& journal) {
       for (const std::int32_t other : around) {
         const Cell& neighbour = tree.cells[static_cast<std::size_t>(other)];
         if (neighbour.rank <= cell.rank + 1) continue;
-        const int limit = cell.rank + 1;
-        const std::int32_t first = splitCell(tree, other);
+        const SplitReason why{Rule::balance, static_cast<std::uint32_t>(leaf), cell.rank + 1};
+        const std::int32_t first = splitLeaf(state, journal, why, other);
         for (std::int32_t k = 0; k < 4; ++k) cursor.worklist.push_back(first + k);
-        recordSplit(state, journal, Rule::balance, other, first);
-        if (journal.listening()) {
-          journal.events->back().other = static_cast<std::uint32_t>(leaf);
-          journal.events->back().limit = limit;
-        }
         return Outcome::decided;
       }
     }
@@ -65,6 +49,7 @@ void queueLeaves(MeshState& state) {
 }
 
 Outcome runQuadtree(MeshState& state, Journal& journal) {
+  if (state.failed) return Outcome::done;
   Cursor& cursor = state.cursor;
   Quadtree& tree = state.tree;
   cursor.begun = true;
@@ -72,13 +57,9 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
     for (; cursor.index < state.constraints.size(); ++cursor.index) {
       const Constraint& constraint = state.constraints[cursor.index];
       const std::int32_t leaf = leafAt(tree, constraint.at);
-      if (tree.cells[static_cast<std::size_t>(leaf)].rank <= largestCellRank(wishedRank(state, constraint))) continue;
-      const std::int32_t first = splitCell(tree, leaf);
-      recordSplit(state, journal, constraint.source, leaf, first);
-      if (journal.listening()) {
-        journal.events->back().other = static_cast<std::uint32_t>(cursor.index);
-        journal.events->back().limit = largestCellRank(wishedRank(state, constraint));
-      }
+      const int largest = largestCellRank(wishedRank(state, constraint));
+      if (tree.cells[static_cast<std::size_t>(leaf)].rank <= largest) continue;
+      splitLeaf(state, journal, {constraint.source, static_cast<std::uint32_t>(cursor.index), largest}, leaf);
       return Outcome::decided;
     }
     cursor.phase = balance;

@@ -1,0 +1,135 @@
+#include "core/triangle_limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/density/forecast.h"
+#include "core/density/sources.h"
+#include "core/domain/loop_of.h"
+#include "core/estimate.h"
+#include "core/number.h"
+
+namespace triscope {
+namespace {
+
+/// Before cells are classified every leaf says `outside`.
+bool classified(const Quadtree& tree) {
+  return std::ranges::any_of(tree.cells, [](const Cell& c) { return c.child < 0 && c.type != CellType::outside; });
+}
+
+std::string nameOf(const Domain& domain, Rule source, std::uint32_t index) {
+  if (source == Rule::user_request) {
+    const std::string& name = domain.density[index].name;
+    return name.empty() ? fmt::format("density entry {}", index + 1) : fmt::format("density entry '{}'", name);
+  }
+  const std::string& loop = loopOf(domain, index).name;
+  switch (source) {
+    case Rule::curvature:
+      return fmt::format("the curvature of loop '{}'", loop);
+    case Rule::corner:
+      return fmt::format("the corners of loop '{}'", loop);
+    case Rule::gap:
+      return fmt::format("the gaps beside loop '{}'", loop);
+    default:
+      return fmt::format("the short edges of loop '{}'", loop);
+  }
+}
+
+/// Wishes with one name, and the triangles in the leaves that they are the finest in.
+struct Group {
+  double triangles = 0.0;
+  double finest = 1e300;
+  Rule source = Rule::none;
+  std::uint32_t curve = kNoId;
+  Point at;
+};
+
+constexpr std::size_t kSources = 4;  // of the geometry: curvature to short_edge
+
+std::size_t groupOf(const Domain& domain, const Constraint& constraint) {
+  if (constraint.source == Rule::user_request) return constraint.curve;
+  const auto loop = static_cast<std::size_t>(&loopOf(domain, constraint.curve) - domain.loops.data());
+  return domain.density.size() + loop * kSources + static_cast<std::size_t>(constraint.source) -
+         static_cast<std::size_t>(Rule::curvature);
+}
+
+std::string hintOf(const MeshState& state, const Asker& asker) {
+  constexpr std::string_view kOr = "or raise max_triangles";
+  switch (asker.source) {
+    case Rule::user_request: {
+      const double factor = 1.05 * std::sqrt(state.estimatedTriangles / state.settings.maxTriangles);
+      return fmt::format("ask for edges of {:.2g} or longer there, {}", asker.length * factor, kOr);
+    }
+    case Rule::curvature:
+      return fmt::format("give a larger min_edge_length than {} or a larger curvature_turn, {}", compact(state.minEdge),
+                         kOr);
+    case Rule::gap:
+      return fmt::format("give a larger min_edge_length than {} or a larger gap_fraction, {}", compact(state.minEdge),
+                         kOr);
+    case Rule::none:
+      return fmt::format("give a larger min_edge_length than {} or a larger max_rank, {}", compact(state.minEdge), kOr);
+    default:
+      return fmt::format("give a larger min_edge_length than {}, {}", compact(state.minEdge), kOr);
+  }
+}
+
+}  // namespace
+
+bool overLimit(const MeshState& state) {
+  return state.failed && state.estimatedTriangles > state.settings.maxTriangles;
+}
+
+Asker askerOf(const MeshState& state) {
+  const Domain& domain = *state.domain;
+  const bool types = classified(state.tree);
+  Quadtree tree = forecastOf(state.tree, domain, state.settings, state.minEdge);
+  const std::size_t byRank = domain.density.size() + domain.loops.size() * kSources;
+  std::vector<Group> groups(byRank + 1);
+  groups[byRank].at = midpoint(domain.bounds.lo, domain.bounds.hi);
+  constexpr std::size_t kNobody = ~std::size_t{0};
+  std::vector<std::size_t> owner(tree.cells.size(), kNobody);
+  for (const Constraint& constraint : state.constraints) {
+    const auto leaf = static_cast<std::size_t>(leafAt(tree, constraint.at));
+    const int rank = rankAtMost(constraint.length * tree.minEdgeInverse * (1.0 + 1e-12));
+    const std::size_t group = groupOf(domain, constraint);
+    if (constraint.length < groups[group].finest) {
+      groups[group].finest = constraint.length;
+      groups[group].source = constraint.source;
+      groups[group].curve = constraint.curve;
+      groups[group].at = constraint.at;
+    }
+    if (rank > tree.cells[leaf].density) continue;
+    tree.cells[leaf].density = static_cast<std::uint8_t>(rank);
+    owner[leaf] = group;
+  }
+  for (std::size_t k = 0; k < tree.cells.size(); ++k) {
+    const Cell& cell = tree.cells[k];
+    if (cell.child >= 0 || (types && cell.type == CellType::outside)) continue;
+    std::size_t group = owner[k];
+    if (group == kNobody && cell.density == state.settings.maxRank) group = byRank;
+    if (group != kNobody) groups[group].triangles += trianglesInCell(cell.rank, cell.density);
+  }
+  const Group& most = *std::ranges::max_element(groups, {}, &Group::triangles);
+  if (most.curve == kNoId)
+    return {Rule::none, kNoId, state.tree.minEdge * rankLength(state.settings.maxRank), groups[byRank].at,
+            fmt::format("the setting max_rank = {}", state.settings.maxRank)};
+  return {most.source, most.curve, most.finest, most.at, nameOf(domain, most.source, most.curve)};
+}
+
+Error tooManyTriangles(const MeshState& state) {
+  const Estimate estimate = estimateOf(state);
+  const Asker asker = askerOf(state);
+  // A tree that outgrows the limit is given up before its cells are classified.
+  return {
+      .message = fmt::format("the mesh would have {} {} triangles by the estimate of Table 1, {} of memory, but "
+                             "max_triangles is {}; most are asked for by {}, for edges of length {}",
+                             classified(state.tree) ? "about" : "at least", roughCount(estimate.triangles),
+                             bytesText(estimate.bytes), state.settings.maxTriangles, asker.name, compact(asker.length)),
+      .hint = hintOf(state, asker),
+      .file = state.domain->file,
+      .at = asker.at};
+}
+
+}  // namespace triscope
