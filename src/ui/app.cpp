@@ -189,6 +189,7 @@ void App::frame() {
   placeLegend(layout);
   followStage();
   followPinned();
+  askAboutLimit();
   drawPicture(layout.canvas);
   updateAnswers();
   drawRegions(layout, view(), orders);
@@ -343,6 +344,9 @@ void App::drawDialog(const View& shown, Orders& orders) {
       break;
     case Dialog::about:
       drawAboutDialog(shown, orders);
+      break;
+    case Dialog::limit:
+      limitDialog_.draw(shown, orders);
       break;
   }
 }

@@ -193,6 +193,7 @@ class App {
   void discardKept();
   void exportTo(const std::string& path);
   void finishExport();
+  void askAboutLimit();
   [[nodiscard]] std::string freePath(const char* extension) const;
   [[nodiscard]] std::string suggestedPath(const char* extension) const;
 
@@ -206,6 +207,8 @@ class App {
   OpenDialog openDialog_;
   ExportDialog exportDialog_;
   SaveDialog saveDialog_;
+  LimitDialog limitDialog_;
+  std::optional<Edit> asked_;  // about its limit of triangles already
   SweepJob sweep_;
   std::chrono::steady_clock::time_point sweepSince_{};
   BackgroundJob export_;

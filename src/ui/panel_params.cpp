@@ -38,7 +38,8 @@ std::string labelOf(const SettingInfo& info) {
 bool number(const SettingInfo& info, double& value, Span span) {
   if (std::holds_alternative<int Settings::*>(info.member)) {
     auto whole = static_cast<int>(value);
-    const bool changed = ImGui::DragInt("##value", &whole, 0.3f, static_cast<int>(span.low),
+    const float pace = std::max(0.3f, 0.005f * static_cast<float>(whole));  // of a large number a part of itself
+    const bool changed = ImGui::DragInt("##value", &whole, pace, static_cast<int>(span.low),
                                         static_cast<int>(span.high), "%d", ImGuiSliderFlags_AlwaysClamp);
     value = whole;
     return changed;

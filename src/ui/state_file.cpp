@@ -33,7 +33,7 @@ class Object {
 constexpr std::array<std::string_view, 5> kActivities{"idle", "stepping", "playing", "meshing", "searching"};
 constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
 constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
-constexpr std::array<std::string_view, 7> kDialogs{"none", "open", "save", "export", "error", "help", "about"};
+constexpr std::array<std::string_view, 8> kDialogs{"none", "open", "save", "export", "error", "help", "about", "limit"};
 
 template <class Enum, std::size_t N>
 std::string_view word(const std::array<std::string_view, N>& words, Enum value) {

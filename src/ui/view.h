@@ -25,7 +25,7 @@ namespace triscope {
 
 class PinnedRun;
 
-enum class Dialog : std::uint8_t { none, open, save_as, export_to, error, help, about };
+enum class Dialog : std::uint8_t { none, open, save_as, export_to, error, help, about, limit };
 
 /// Where a widget was drawn last, for tests that press real buttons.
 struct WidgetRect {

@@ -14,6 +14,7 @@
 
 #include "core/caption.h"
 #include "core/counted.h"
+#include "core/estimate.h"
 #include "support/runs.h"
 
 namespace triscope {
@@ -93,7 +94,8 @@ std::vector<double> expected(Stage stage, const MeshState& before, const MeshSta
     case Stage::quadtree:
       return {leaves.cells};
     case Stage::density:
-      return {leaves.cells, leaves.lowest, leaves.highest, std::round(after.estimatedTriangles)};
+      return {leaves.cells, leaves.lowest, leaves.highest, std::round(after.estimatedTriangles),
+              std::stod(bytesText(estimateOf(after).bytes))};
     case Stage::boundary:
       return {placedBetween(after)};
     case Stage::triangulation:

@@ -9,6 +9,7 @@ TRISCOPE_MONKEY_REPLAY    a JSON file with a list of actions, as a failure print
 import json
 import os
 import random
+import subprocess
 import sys
 import tempfile
 import time
@@ -192,6 +193,13 @@ class MonkeyTest(unittest.TestCase):
         window.xdotool("key", "Scroll_Lock")
         window.wait(lambda s: s["keys_pressed"] > before, "a key to be heard", timeout=PATIENCE)
 
+    def was_quit(self, window):
+        """By a click on Quit in a menu."""
+        try:
+            return window.process.wait(5) == 0
+        except subprocess.TimeoutExpired:
+            return False
+
     def let_loose(self, domain, seed, seconds):
         files = [self.write("small.json", SMALL), self.write("asking.json", ASKING), self.write("bad.json", CROSSED),
                  "missing.json", "d.session"]
@@ -209,10 +217,16 @@ class MonkeyTest(unittest.TestCase):
                 if action is None:
                     break
                 done.append(action)
-                monkey.do(action)
-                self.assertIsNone(window.process.poll(), "the program ended")
-                if len(done) % 10 == 0:
-                    self.answers(window)
+                try:
+                    monkey.do(action)
+                    self.assertIsNone(window.process.poll(), "the program ended")
+                    if len(done) % 10 == 0:
+                        self.answers(window)
+                except (AssertionError, subprocess.CalledProcessError):
+                    if not self.was_quit(window):
+                        raise
+                    window.close()
+                    window = monkey.window = self.start(*domain)
             self.answers(window)
             window.xdotool("key", "--clearmodifiers", "Escape", "Escape", "Escape", "Escape", "ctrl+q")
             self.assertEqual(window.process.wait(PATIENCE), 0)
