@@ -260,6 +260,10 @@ std::string captionOf(const Event& e, const MeshState& state) {
 }
 
 std::string summaryOf(const MeshState& state, const Quality& q) {
+  if (state.failed && state.estimatedTriangles > state.settings.maxTriangles)
+    return fmt::format("Stopped before a mesh of about {} triangles was made: {} are allowed.",
+                       roughCount(state.estimatedTriangles),
+                       grouped(static_cast<std::uint64_t>(state.settings.maxTriangles)));
   if (state.failed)
     return fmt::format("The method stopped in {}; the mesh is shown as it was then.", infoOf(state.stage).name);
   const std::string stage = capitalised(infoOf(state.stage).name);

@@ -88,7 +88,7 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     muted(view, label);
     const bool automatic = isLength(info) && before == 0.0;
     if (automatic && state != nullptr) value = state->minEdge;
-    ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(92)));
+    ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(102)));
     held = changed = number(info, value, span);
     letGo = ImGui::IsItemDeactivated();
     note(view, name);

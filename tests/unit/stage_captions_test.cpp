@@ -210,6 +210,17 @@ TEST_P(StageCaptions, EveryNumberIsTheState) {
   EXPECT_EQ(summary[1], liveTriangles(state.mesh));
 }
 
+TEST(StageCaptions, OfARunOverTheLimitSaysWhatItIs) {
+  Settings settings;
+  settings.maxTriangles = 20;
+  MeshState state = support::finished(support::domainFrom(support::kFrame), settings);
+  ASSERT_TRUE(state.failed);
+  const std::vector<double> said = numbersIn(summaryOf(state, {}), "Stopped");
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_GT(said[0], 20.0);
+  EXPECT_EQ(said[1], 20.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, StageCaptions, testing::ValuesIn(kSamples),
                          [](const auto& tested) { return std::string(tested.param, std::strcspn(tested.param, ".")); });
 
