@@ -245,11 +245,14 @@ std::string captionOf(const Event& e, const MeshState& state) {
     case Stage::carve:
       return fmt::format("{} is done: {} outside gave way, {} stay.", stage, grouped(e.subject),
                          grouped(state.mesh.liveCount()));
+    case Stage::repair:
+      if (e.subject == 0) return fmt::format("{} is done: nothing was mended; {}.", stage, triangles);
+      return fmt::format("{} is done: {}, {}.", stage, counted(e.subject, "edit", "edits"), triangles);
     case Stage::refine:
       return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
     case Stage::finished:
       break;
-    default:  // fronts, steps 1 to 5, repair
+    default:  // fronts, steps 1 to 5
       if (e.subject == 0) return fmt::format("{} is done: it had nothing to change; {}.", stage, triangles);
       return fmt::format("{} is done: {} inserted, {}.", stage, counted(e.subject, "point", "points"), triangles);
   }
@@ -257,6 +260,10 @@ std::string captionOf(const Event& e, const MeshState& state) {
 }
 
 std::string summaryOf(const MeshState& state, const Quality& q) {
+  if (state.failed && state.estimatedTriangles > state.settings.maxTriangles)
+    return fmt::format("Stopped before a mesh of about {} triangles was made: {} are allowed.",
+                       roughCount(state.estimatedTriangles),
+                       grouped(static_cast<std::uint64_t>(state.settings.maxTriangles)));
   if (state.failed)
     return fmt::format("The method stopped in {}; the mesh is shown as it was then.", infoOf(state.stage).name);
   const std::string stage = capitalised(infoOf(state.stage).name);

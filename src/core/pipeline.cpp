@@ -117,7 +117,10 @@ Beat beat(MeshState& state, Journal& journal) {
   }
   ++state.tick;
   ++countsOf(state).decisions;
-  if (outcome == Outcome::decided) return Beat::decided;
+  if (outcome == Outcome::decided) {
+    if (state.stage < Stage::front1) ++state.cursor.changes;  // nothing is refused up to there
+    return Beat::decided;
+  }
   ++countsOf(state).inserted;
   ++state.cursor.changes;
   ++state.roundChanges;

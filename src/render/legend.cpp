@@ -137,11 +137,11 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
     if (placed > 0) legend.push_back(mark(Shape::circle, in.theme.placed, "boundary point", placed));
     if (split > 0) legend.push_back(mark(Shape::ring, in.theme.placed, "split of a boundary edge", split));
   }
-  if (o.fronts && !state.front1.empty()) {
-    legend.push_back(mark(Shape::circle, in.theme.front1, "first front", state.front1.size()));
-  }
-  if (o.fronts && !state.front2.empty()) {
-    legend.push_back(mark(Shape::diamond, in.theme.front2, "second front", state.front2.size()));
+  if (o.fronts) {
+    const std::size_t first = frontInMesh(state.mesh, state.front1).size();
+    const std::size_t second = frontInMesh(state.mesh, state.front2).size();
+    if (first > 0) legend.push_back(mark(Shape::circle, in.theme.front1, "first front", first));
+    if (second > 0) legend.push_back(mark(Shape::diamond, in.theme.front2, "second front", second));
   }
   if (o.steiner) {
     const auto count = std::count(state.mesh.kinds.begin(), state.mesh.kinds.end(), VertexKind::steiner);

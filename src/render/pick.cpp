@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/density/wanted.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/locate.h"
 
@@ -77,16 +78,41 @@ bool pickEdge(const Mesh& mesh, Point p, double reach, std::int32_t inside, Pick
 }
 
 bool pickCell(const Quadtree& tree, Point p, Pick& pick) {
-  if (tree.cells.empty()) return false;
-  const double side = tree.side(tree.cells[0]);
+  const Cell* const root = cellOf(tree, 0);
   const Point d = p - tree.origin;
-  if (d.x < 0.0 || d.y < 0.0 || d.x > side || d.y > side) return false;
-  const std::int32_t leaf = leafAt(tree, p);
+  if (root == nullptr || d.x < 0.0 || d.y < 0.0 || d.x > tree.side(*root) || d.y > tree.side(*root)) return false;
+  const std::int32_t leaf = wantedAt(tree, p)->cell;
   pick = {{Selection::Kind::cell, leaf, -1}, static_cast<std::uint32_t>(leaf), 0.0};
   return true;
 }
 
 }  // namespace
+
+bool isPartOf(const MeshState& state, const Selection& s) {
+  const Mesh& mesh = state.mesh;
+  const auto index = static_cast<size_t>(s.index);  // beyond every end where it is negative
+  const bool live = index < mesh.triangles.size() && mesh.alive(s.index);
+  switch (s.kind) {
+    case Selection::Kind::none:
+      return false;
+    case Selection::Kind::vertex:
+      return index < mesh.points.size() && mesh.kinds[index] != VertexKind::removed;
+    case Selection::Kind::edge:
+      return live && s.edge >= 0 && s.edge < 3;
+    case Selection::Kind::triangle:
+      return live;
+    case Selection::Kind::cell:
+      return cellOf(state.tree, s.index) != nullptr;
+  }
+  return false;
+}
+
+Selection present(const MeshState& state, const Pick& pick) {
+  Selection s = pick.selection;
+  const bool triangle = s.kind == Selection::Kind::triangle || s.kind == Selection::Kind::edge;
+  if (triangle && (!isPartOf(state, s) || idOf(state.mesh, s.index) != pick.id)) s.index = slotOf(state.mesh, pick.id);
+  return isPartOf(state, s) ? s : Selection{};
+}
 
 std::int32_t triangleContaining(const Mesh& mesh, Point p) {
   if (mesh.liveCount() == 0) return -1;

@@ -17,6 +17,13 @@ struct Pick {
 /// when `cellsFirst` asks for them instead of vertices, edges and triangles.
 Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst = false);
 
+/// Whether the state has this element: a live triangle, a vertex not removed, a cell. Kind none it has not.
+bool isPartOf(const MeshState& state, const Selection& selection);
+
+/// Where what was picked is in a state, which may be earlier or later than the one that it was picked in: its id says
+/// what is meant, also when its slot has been reused. Kind none when it is not part of the state.
+Selection present(const MeshState& state, const Pick& pick);
+
 /// Slot of the live triangle that contains p (an edge counts as inside), -1 outside the mesh. A walk from
 /// Mesh::lastTriangle; falls back to looking at every triangle where a hole stops the walk.
 std::int32_t triangleContaining(const Mesh& mesh, Point p);

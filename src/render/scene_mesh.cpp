@@ -1,7 +1,9 @@
 // The triangulation and its points: what Figure 4 shows. Linear passes over flat arrays, no allocation per element.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "core/density/wanted.h"
 #include "render/boundary_points.h"
 #include "render/scene_parts.h"
 
@@ -151,7 +153,7 @@ std::vector<float> measureSlots(const MeshState& state, TriangleFill fill) {
     const Triangle& t = mesh.triangles[i];
     if (fill == TriangleFill::density) {
       const Point sum = mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])];
-      values[i] = static_cast<float>(densityRankAt(state.tree, (1.0 / 3.0) * sum));
+      values[i] = static_cast<float>(wantedAt(state.tree, (1.0 / 3.0) * sum).value_or(Wanted{}).rank);
     } else {
       values[i] = measureOne(mesh, t, fill);
     }
@@ -220,7 +222,7 @@ void buildPoints(const SceneInput& in, Layer& layer) {
   if (in.options.boundaryPoints && state.mesh.points.empty()) {
     for (const size_t index : distinctBoundaryPoints(state)) {
       const BoundaryPoint& p = state.boundary[index];
-      add(p.kept ? kept : placed, p.at, static_cast<float>(edgeLengthAt(state.tree, p.at)));
+      add(p.kept ? kept : placed, p.at, static_cast<float>(wantedAt(state.tree, p.at).value_or(Wanted{}).length));
     }
   }
   for (size_t i = 0; i < state.mesh.points.size(); ++i) {
@@ -240,13 +242,20 @@ void buildPoints(const SceneInput& in, Layer& layer) {
   }
 }
 
+std::vector<std::int32_t> frontInMesh(const Mesh& mesh, const std::vector<std::int32_t>& front) {
+  std::vector<std::int32_t> there;
+  std::copy_if(front.begin(), front.end(), std::back_inserter(there), [&mesh](std::int32_t vertex) {
+    return vertex >= 0 && at(vertex) < mesh.points.size() && mesh.kinds[at(vertex)] != VertexKind::removed;
+  });
+  return there;
+}
+
 void buildFronts(const SceneInput& in, Layer& layer) {
   if (!in.options.fronts) return;
   const Mesh& mesh = in.state.mesh;
   const auto add = [&](const std::vector<std::int32_t>& front, Shape shape, float size, Color color) {
     MarkBatch batch = markBatch(shape, size, color, in.theme.background);
-    for (const std::int32_t vertex : front) {
-      if (vertex < 0 || at(vertex) >= mesh.points.size() || mesh.kinds[at(vertex)] == VertexKind::removed) continue;
+    for (const std::int32_t vertex : frontInMesh(mesh, front)) {
       batch.at.push_back(mesh.points[at(vertex)]);
       batch.spacing.push_back(spacingOf(in.state, vertex));
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/density/wanted.h"
 #include "core/geometry/circumcircle.h"
 #include "core/quality/bound_figure.h"
 #include "render/pick.h"
@@ -146,16 +147,15 @@ void addRemoval(const SceneInput& in, Layer& layer) {
 }
 
 void addCell(const SceneInput& in, Layer& layer) {
-  const auto& cells = in.state.tree.cells;
+  const Quadtree& tree = in.state.tree;
   const LineStyle strong{in.theme.candidate, 2.4f, Dash::solid, false};
-  if (in.current->subject < cells.size()) {
-    layer.lines.push_back(cellOutline(in.state.tree, cells[in.current->subject], strong));
-  }
+  if (const Cell* const cell = cellOf(tree, in.current->subject))
+    layer.lines.push_back(cellOutline(tree, *cell, strong));
   const LineStyle made{in.theme.created, 1.4f, Dash::dashed, false};
   if (in.current->kind != EventKind::cell_split || in.current->created == kNoId) return;
-  for (std::uint32_t i = 0; i < 4 && in.current->created + i < cells.size(); ++i) {
-    layer.lines.push_back(cellOutline(in.state.tree, cells[in.current->created + i], made));
-  }
+  for (std::int64_t i = 0; i < 4; ++i)
+    if (const Cell* const cell = cellOf(tree, in.current->created + i))
+      layer.lines.push_back(cellOutline(tree, *cell, made));
 }
 
 void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, const char* label, double value,
@@ -244,34 +244,26 @@ void buildSelection(const SceneInput& in, Layer& layer) {
   const Selection& s = in.options.selection;
   const Mesh& mesh = in.state.mesh;
   const LineStyle line{in.theme.selection, 2.6f, Dash::solid, false};
-  const bool slotAlive = s.index >= 0 && at(s.index) < mesh.triangles.size() && mesh.alive(s.index);
+  if (!isPartOf(in.state, s)) return;
   switch (s.kind) {
     case Selection::Kind::none:
       break;
     case Selection::Kind::vertex:
-      if (s.index >= 0 && at(s.index) < mesh.points.size()) {
-        layer.triangles.push_back(
-            patch(mesh, slotsOf(liveStar(mesh, s.index)), faded(in.theme.selection, 0.22), false));
-        layer.marks.push_back(oneMark(mesh.points[at(s.index)], Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
-      }
+      layer.triangles.push_back(patch(mesh, slotsOf(liveStar(mesh, s.index)), faded(in.theme.selection, 0.22), false));
+      layer.marks.push_back(oneMark(pointOf(mesh, s.index), Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
       break;
-    case Selection::Kind::edge:
-      if (slotAlive && s.edge >= 0 && s.edge < 3) {
-        const std::int32_t half = 3 * s.index + s.edge;
-        layer.lines.push_back(
-            polyline({pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half))}, false, line));
-      }
+    case Selection::Kind::edge: {
+      const std::int32_t half = 3 * s.index + s.edge;
+      layer.lines.push_back(
+          polyline({pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half))}, false, line));
       break;
+    }
     case Selection::Kind::triangle:
-      if (slotAlive) {
-        layer.triangles.push_back(patch(mesh, {s.index}, faded(in.theme.selection, 0.3), false));
-        layer.lines.push_back(outlineOf(mesh, s.index, line));
-      }
+      layer.triangles.push_back(patch(mesh, {s.index}, faded(in.theme.selection, 0.3), false));
+      layer.lines.push_back(outlineOf(mesh, s.index, line));
       break;
     case Selection::Kind::cell:
-      if (s.index >= 0 && at(s.index) < in.state.tree.cells.size()) {
-        layer.lines.push_back(cellOutline(in.state.tree, in.state.tree.cells[at(s.index)], line));
-      }
+      layer.lines.push_back(cellOutline(in.state.tree, in.state.tree.cells[at(s.index)], line));
       break;
   }
 }

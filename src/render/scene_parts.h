@@ -31,6 +31,8 @@ void buildCells(const SceneInput& in, Layer& layer);
 void buildMesh(const SceneInput& in, Layer& layer);
 void buildBoundary(const SceneInput& in, Layer& layer);
 void buildPoints(const SceneInput& in, Layer& layer);
+/// The vertices of a front that are still in the mesh: those that are drawn and counted.
+std::vector<std::int32_t> frontInMesh(const Mesh& mesh, const std::vector<std::int32_t>& front);
 void buildFronts(const SceneInput& in, Layer& layer);
 void buildConstraints(const SceneInput& in, Layer& layer);
 void buildDecision(const SceneInput& in, Layer& layer);

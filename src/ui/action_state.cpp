@@ -4,6 +4,8 @@
 namespace triscope {
 namespace {
 
+constexpr const char* kOpening = "Another domain is being opened; wait, or press Esc to keep this one.";
+
 std::string needsForward(const View& view) {
   if (view.now() == nullptr) return "There is no mesh yet.";
   if (view.session.stale()) return "A new mesh is being made; wait, or press Esc to keep the old one.";
@@ -62,13 +64,16 @@ std::string whyNot(Action action, const View& view) {
       if (view.now() == nullptr) return "No domain is open.";
       return view.now()->state.domain->file.empty() ? "This sample is built in; there is no file to read again." : "";
     case Action::undo:
+      if (view.ui.document.opening) return kOpening;
       return view.ui.undo.empty() ? "Nothing has been changed." : "";
     case Action::redo:
+      if (view.ui.document.opening) return kOpening;
       return view.ui.redo.empty() ? "Nothing was taken back." : "";
     case Action::place_density:
-      return view.now() == nullptr ? "There is no domain yet." : "";
+      if (view.now() == nullptr) return "There is no domain yet.";
+      return view.ui.document.opening ? kOpening : "";
     case Action::delete_density:
-      return view.ui.density.request ? "" : "No density constraint is selected.";
+      return view.request() != nullptr ? "" : "No density constraint is selected.";
     case Action::worst_aspect:
       return needsTriangle(view, &Quality::aspectAt);
     case Action::worst_area:
@@ -98,6 +103,13 @@ std::string whyNot(Action action, const View& view) {
     default:
       return whyNotDebug(action, view);
   }
+}
+
+const DensityRequest* View::request() const {
+  const std::shared_ptr<const Domain>& domain = session.domain();
+  const std::optional<std::size_t>& index = ui.density.request;
+  if (now() == nullptr || domain == nullptr || ui.document.opening || !index) return nullptr;
+  return *index < domain->density.size() ? &domain->density[*index] : nullptr;
 }
 
 Stage stageOf(const Snapshot& now) {

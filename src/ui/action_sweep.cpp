@@ -5,7 +5,11 @@ namespace triscope {
 
 std::string whyNotSweep(Action action, const View& view) {
   const SweepUi& sweep = view.ui.sweep;
-  if (infoOf(action).scope == Scope::heat_map) return sweep.shown() ? "" : "No sweep has been run yet.";
+  if (infoOf(action).scope == Scope::heat_map) {
+    if (!sweep.shown()) return "No sweep has been run yet.";
+    if (action == Action::take_cell && !sweep.chosen) return "No pair of the sweep is chosen.";
+    return {};
+  }
   if (sweep.making) return "A sweep is running; Esc gives it up.";
   if (action == Action::save_sweep) {
     if (!sweep.table) return "No sweep has been run yet.";

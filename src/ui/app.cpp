@@ -117,19 +117,20 @@ void App::followRun() {
   }
   failuresSeen_ = session_.failures();
   if (session_.notice() != saidNotice_) ui_.message = saidNotice_ = session_.notice();
+  std::erase_if(versions_, [](const std::weak_ptr<const Domain>& version) { return version.expired(); });
+  ui_.document.opening = session_.domain() != nullptr && !isVersion(session_.domain());
+  if (view().request() == nullptr) ui_.density.request.reset();  // of another domain, or taken back
   const SnapshotPtr& now = session_.current();
   if (now == nullptr || now == shown_) return;
   shown_ = now;
   if (now->state.domain != shownDomain_) {
-    const bool another = !isEdit(now->state.domain);
+    const bool another = !isVersion(now->state.domain);
     shownDomain_ = now->state.domain;
     if (another) beginDocument();
   }
   // A change that was given up or refused is no step of undo.
   if (!session_.busy() && !tuning_)
     while (!ui_.undo.empty() && ui_.undo.back() == inForce()) ui_.undo.pop_back();
-  if (ui_.density.request && *ui_.density.request >= session_.domain()->density.size()) ui_.density.request.reset();
-  resolveSelection();
   keepInRange();
 }
 
@@ -138,29 +139,6 @@ void App::followStage() {
   const ViewOptions figure = figureView(view().stage());
   ui_.options.quadtree = figure.quadtree;
   ui_.options.constraints = figure.constraints;
-}
-
-void App::resolveSelection() {
-  // The slot may have been reused: the id says what was meant.
-  Selection& selection = ui_.selected.selection;
-  const MeshState& state = shown_->state;
-  const Mesh& mesh = state.mesh;
-  switch (selection.kind) {
-    case Selection::Kind::triangle:
-    case Selection::Kind::edge:
-      selection.index = slotOf(mesh, ui_.selected.id);
-      ui_.selectedGone = selection.index < 0;
-      break;
-    case Selection::Kind::vertex:
-      ui_.selectedGone = ui_.selected.id >= mesh.points.size() || mesh.kinds[ui_.selected.id] == VertexKind::removed;
-      break;
-    case Selection::Kind::cell:
-      ui_.selectedGone = ui_.selected.id >= state.tree.cells.size();
-      break;
-    case Selection::Kind::none:
-      ui_.selectedGone = false;
-      break;
-  }
 }
 
 bool App::prepareFrame() {
@@ -211,6 +189,7 @@ void App::frame() {
   placeLegend(layout);
   followStage();
   followPinned();
+  askAboutLimit();
   drawPicture(layout.canvas);
   updateAnswers();
   drawRegions(layout, view(), orders);
@@ -262,7 +241,7 @@ void App::drawPicture(const Region& region) {
     ViewOptions options = ui_.options;
     options.theme = ui_.look.theme;
     options.dimmed = session_.stale();
-    options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
+    options.selection = view().selection();
     const InsertionUi& insertion = ui_.insertion;
     const bool entered = view().inInsertion();
     const bool inside = entered && insertion.phase != InsertionPhase::filled;
@@ -365,6 +344,9 @@ void App::drawDialog(const View& shown, Orders& orders) {
       break;
     case Dialog::about:
       drawAboutDialog(shown, orders);
+      break;
+    case Dialog::limit:
+      limitDialog_.draw(shown, orders);
       break;
   }
 }

@@ -121,7 +121,6 @@ class App {
   void drawPicture(const Region& region);
   void followRun();
   void followStage();
-  void resolveSelection();
   void performPressed();
 
   void carryOut(const Order& order);
@@ -183,8 +182,8 @@ class App {
   void openFile(const std::string& path);
   void openSession(SessionFile file, const std::string& path, std::optional<KeptWork> kept);
   void complain(const Error& error);
-  /// Whether a domain is what is open with another density, not another document.
-  [[nodiscard]] bool isEdit(const std::shared_ptr<const Domain>& domain) const;
+  /// Whether a domain is the document's, now or before an edit of its density; another document's is not.
+  [[nodiscard]] bool isVersion(const std::shared_ptr<const Domain>& domain) const;
   void beginDocument();
   [[nodiscard]] Draft draft() const;
   void followDocument();
@@ -197,6 +196,7 @@ class App {
   void discardKept();
   void exportTo(const std::string& path);
   void finishExport();
+  void askAboutLimit();
   [[nodiscard]] std::string freePath(const char* extension) const;
   [[nodiscard]] std::string suggestedPath(const char* extension) const;
 
@@ -210,19 +210,20 @@ class App {
   OpenDialog openDialog_;
   ExportDialog exportDialog_;
   SaveDialog saveDialog_;
+  LimitDialog limitDialog_;
+  std::optional<Edit> asked_;  // about its limit of triangles already
   SweepJob sweep_;
   std::chrono::steady_clock::time_point sweepSince_{};
   BackgroundJob export_;
   BackgroundJob save_;
   std::atomic<bool> saveStops_{false};  // the window closes: hashes that are missing are left out
   Autosave autosave_;
-  std::optional<Draft> draft_;            // as it is now; nothing until there is a mesh
-  std::optional<Draft> base_;             // as it was opened or saved; nothing for work that was restored
-  bool baseWanted_ = false;               // draft_ is to become base_ once it is complete
-  std::optional<Draft> saving_;           // being written
-  std::string savePath_;                  // to here
-  std::optional<Opening> opening_;        // while it is made
-  std::shared_ptr<const Domain> edited_;  // made by the last edit of the density
+  std::optional<Draft> draft_;      // as it is now; nothing until there is a mesh
+  std::optional<Draft> base_;       // as it was opened or saved; nothing for work that was restored
+  bool baseWanted_ = false;         // draft_ is to become base_ once it is complete
+  std::optional<Draft> saving_;     // being written
+  std::string savePath_;            // to here
+  std::optional<Opening> opening_;  // while it is made
   Entering entering_;
   std::optional<Near> near_;
   StateFile stateFile_;
@@ -236,6 +237,7 @@ class App {
   };
   std::vector<Pressed> pressed_;  // by keys, since the last frame
   std::shared_ptr<const Domain> shownDomain_;
+  std::vector<std::weak_ptr<const Domain>> versions_;  // of the document: as it was opened, and after each edit
   SnapshotPtr shown_;
   DebugAnswers answers_;
   double styledScale_ = 0.0;

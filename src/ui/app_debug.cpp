@@ -160,7 +160,8 @@ void App::addBreakpoint() {
 void App::follow(Ref ref) {
   if (ref.kind == Ref::Kind::event) return apply(command::SeekEvent{ref.id});
   select(pickOf(ref));
-  if (ui_.selectedGone) ui_.message = fmt::format("{} is not part of the mesh at this moment.", nameOf(ref));
+  if (view().selection().kind == Selection::Kind::none)
+    ui_.message = fmt::format("{} is not part of the mesh at this moment.", nameOf(ref));
 }
 
 void App::keepInRange() {

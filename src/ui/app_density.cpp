@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "core/density/quadtree.h"
+#include "core/density/wanted.h"
 #include "core/io/domain_text.h"
 #include "ui/app.h"
 #include "ui/density_handles.h"
@@ -20,8 +20,8 @@ Point within(const Box& box, Point p) {
 /// Half of what is wanted there now, so that a new constraint shows; three digits are easier to read on.
 double suggestedLength(const MeshState& state, const Domain& domain, Point p) {
   const double extent = std::max(domain.bounds.width(), domain.bounds.height());
-  const double now = state.tree.cells.empty() ? extent / 20.0 : edgeLengthAt(state.tree, p);
-  const double half = std::strtod(fmt::format("{:.3g}", 0.5 * now).c_str(), nullptr);
+  const std::optional<Wanted> now = wantedAt(state.tree, p);
+  const double half = std::strtod(fmt::format("{:.3g}", now ? 0.5 * now->length : extent / 40.0).c_str(), nullptr);
   return std::max({half, domain.minEdgeLength, state.minEdge});
 }
 
@@ -30,6 +30,7 @@ double suggestedLength(const MeshState& state, const Domain& domain, Point p) {
 void App::editDensity(std::vector<DensityRequest> density, bool held) {
   const Edit edit{session_.settings(), withDensity(*session_.domain(), std::move(density))};
   if (held) return tune(edit);
+  endTuning();
   remember(inForce());
   bring(edit);
 }
@@ -41,13 +42,18 @@ void App::nameRequest(const order::NameRequest& typed) {
     return;
   }
   const std::optional<std::string> name = std::exchange(ui.name, std::nullopt);
+  const DensityRequest* const request = view().request();
+  if (!name || request == nullptr || request->name == *name) return;
   std::vector<DensityRequest> density = session_.domain()->density;
-  if (!name || !ui.request || *ui.request >= density.size() || density[*ui.request].name == *name) return;
   density[*ui.request].name = *name;
   editDensity(std::move(density), false);
 }
 
 void App::placeRequest(Point at) {
+  if (const std::string reason = whyNot(Action::place_density, view()); !reason.empty()) {
+    ui_.message = reason;
+    return;
+  }
   const Domain& domain = *session_.domain();
   DensityRequest request;
   request.at = within(domain.bounds, at);
@@ -60,6 +66,7 @@ void App::placeRequest(Point at) {
 }
 
 void App::moveRequest(Point to) {
+  if (view().request() == nullptr) return;
   const Domain& domain = *session_.domain();
   std::vector<DensityRequest> density = domain.density;
   DensityRequest& request = density[*ui_.density.request];
@@ -74,9 +81,11 @@ void App::moveRequest(Point to) {
 }
 
 void App::deleteRequest() {
+  if (view().request() == nullptr) return;
   std::vector<DensityRequest> density = session_.domain()->density;
   density.erase(density.begin() + static_cast<std::ptrdiff_t>(*ui_.density.request));
   ui_.density.request.reset();
+  ui_.density.held = false;
   editDensity(std::move(density), false);
 }
 

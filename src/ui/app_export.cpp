@@ -66,7 +66,7 @@ void App::exportTo(const std::string& path) {
   ui_.message = "Writing " + path + " …";
   ViewOptions options = ui_.options;
   options.theme = ui_.look.theme;
-  options.selection = ui_.selectedGone ? Selection{} : ui_.selected.selection;
+  options.selection = view().selection();
   FigureOptions figure;
   figure.width = static_cast<int>(ui_.camera.width);
   figure.height = static_cast<int>(ui_.camera.height);

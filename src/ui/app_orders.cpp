@@ -108,11 +108,13 @@ void App::run(const Command& command) {
 }
 
 void App::change(const Settings& settings) {
+  endTuning();
   remember(inForce());
   bring({settings, session_.domain()});
 }
 
 void App::remember(const Edit& before) {
+  if (ui_.document.opening) return;  // it is of another document than what can be taken back
   ui_.undo.push_back(before);
   ui_.redo.clear();
 }
@@ -123,7 +125,7 @@ void App::bring(const Edit& edit) {
   if (edit.domain == session_.domain()) {
     session_.apply(command::Change{edit.settings});
   } else {
-    edited_ = edit.domain;
+    versions_.push_back(edit.domain);
     const MeshState& now = shown_->state;
     const bool toEnd = now.stage == Stage::finished;
     session_.apply(
@@ -134,6 +136,7 @@ void App::bring(const Edit& edit) {
 }
 
 void App::tune(const Edit& edit) {
+  if (ui_.document.opening) return bring(edit);
   if (!tuning_) tuning_ = Tuning{inForce()};
   if (!tuning_->cancelled) bring(edit);
 }
@@ -146,8 +149,8 @@ void App::endTuning() {
 void App::cancelTuning() {
   tuning_->cancelled = true;  // what the control says until it is let go is passed over
   const Edit before = tuning_->before;
-  const MeshState& shown = session_.current()->state;
-  if (session_.stale() && Edit{shown.settings, shown.domain} == before) return apply(command::Cancel{});
+  if (session_.stale() && shown_ != nullptr && Edit{shown_->state.settings, shown_->state.domain} == before)
+    return apply(command::Cancel{});
   if (inForce() != before) bring(before);
 }
 
@@ -259,12 +262,14 @@ void App::performOnRun(Action action) {
     case Action::faster:
       return carryOut(order::SetSpeed{std::min(100000.0, ui_.speed * 2.0)});
     case Action::undo: {
+      endTuning();
       const Edit back = ui_.undo.back();
       ui_.redo.push_back(inForce());
       ui_.undo.pop_back();
       return bring(back);
     }
     case Action::redo: {
+      if (tuning_) return endTuning();  // what is being changed comes after what was taken back
       const Edit again = ui_.redo.back();
       ui_.undo.push_back(inForce());
       ui_.redo.pop_back();
@@ -344,7 +349,6 @@ void App::cancel() {
 void App::select(const Pick& pick) {
   ui_.selected = pick;
   ui_.density.request.reset();
-  if (shown_) resolveSelection();
 }
 
 void App::showWorst(std::int32_t slot, std::int32_t other) {

@@ -40,10 +40,9 @@ void App::complain(const Error& error) {
   ui_.dialog = Dialog::error;
 }
 
-bool App::isEdit(const std::shared_ptr<const Domain>& domain) const {
-  const auto has = [&domain](const Edit& edit) { return edit.domain == domain; };
-  return domain == edited_ || (tuning_ && has(tuning_->before)) || std::any_of(ui_.undo.begin(), ui_.undo.end(), has) ||
-         std::any_of(ui_.redo.begin(), ui_.redo.end(), has);
+bool App::isVersion(const std::shared_ptr<const Domain>& domain) const {
+  return std::any_of(versions_.begin(), versions_.end(),
+                     [&domain](const std::weak_ptr<const Domain>& version) { return version.lock() == domain; });
 }
 
 void App::beginDocument() {
@@ -54,6 +53,9 @@ void App::beginDocument() {
   else
     autosave_.forget();
   sweep_.cancel();
+  versions_ = {shownDomain_};
+  document.opening = !isVersion(session_.domain());
+  tuning_.reset();
   select({});
   ui_.insertion = {};
   near_.reset();
@@ -99,7 +101,7 @@ Draft App::draft() const {
 void App::followDocument() {
   finishSave();
   // While something else is being opened, what is shown and what is in force belong to different documents.
-  if (shown_ == nullptr || (session_.domain() != shownDomain_ && !isEdit(session_.domain()))) return;
+  if (shown_ == nullptr || ui_.document.opening) return;
   if (baseWanted_ && session_.busy()) return;
   draft_ = draft();
   if (std::exchange(baseWanted_, false)) base_ = draft_;

@@ -18,7 +18,7 @@ constexpr double kHandle = 6.0;  // radius
 constexpr double kSlack = 3.0;   // a press that moves less moves nothing
 
 bool shown(const View& view) {
-  return view.now() != nullptr && view.session.domain() != nullptr &&
+  return view.now() != nullptr && view.session.domain() != nullptr && !view.ui.document.opening &&
          (view.ui.density.placing || view.ui.density.request || view.ui.options.constraints);
 }
 
@@ -123,7 +123,7 @@ bool densityMouse(const View& view, Orders& orders, ImVec2 corner) {
     const float slack = view.px(kSlack);
     const bool moved = ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > slack * slack;
     // The last move may come with the release.
-    if (moved && (ImGui::IsItemActive() || ImGui::IsItemDeactivated()))
+    if (moved && view.request() != nullptr && (ImGui::IsItemActive() || ImGui::IsItemDeactivated()))
       orders.emplace_back(order::MoveRequest{mouseInWorld(view, corner)});
     if (!ImGui::IsItemActive()) orders.emplace_back(order::EndTuning{});
     return true;

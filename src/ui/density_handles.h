@@ -23,6 +23,6 @@ void drawDensityHandles(const View& view, ImVec2 corner);
 std::vector<Rect> densityHandleRects(const View& view);
 
 /// What the Inspect panel shows of the constraint that is selected.
-void inspectRequest(const View& view, Orders& orders);
+void inspectRequest(const View& view, Orders& orders, DensityRequest request);
 
 }  // namespace triscope

@@ -45,6 +45,21 @@ class SaveDialog {
   std::string path_;
 };
 
+/// What to do about a run that stopped before it made too many triangles.
+class LimitDialog {
+ public:
+  /// Of such a run, see overLimit().
+  void prepare(const MeshState& stopped);
+  void draw(const View& view, Orders& orders);
+
+ private:
+  std::string question_;
+  std::string reason_;
+  std::string hint_;
+  double minEdge_ = 0.0;  // suggested, then as typed
+  double most_ = 0.0;     // triangles that it would take
+};
+
 void drawErrorDialog(const View& view, Orders& orders);
 void drawHelpDialog(const View& view, Orders& orders);
 void drawAboutDialog(const View& view, Orders& orders);

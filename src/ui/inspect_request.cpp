@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/density/quadtree.h"
+#include "core/density/wanted.h"
 #include "core/number.h"
 #include "ui/density_handles.h"
 #include "ui/widgets.h"
@@ -58,10 +58,9 @@ bool wish(const View& view, DensityRequest& request) {
 
 }  // namespace
 
-void inspectRequest(const View& view, Orders& orders) {
+void inspectRequest(const View& view, Orders& orders, DensityRequest request) {
   const std::vector<DensityRequest>& density = view.session.domain()->density;
   const std::size_t index = *view.ui.density.request;
-  DensityRequest request = density[index];
   title(view, fmt::format("Density constraint {}", index + 1), "inspect.title");
   const auto edit = [&](bool held) {
     std::vector<DensityRequest> list = density;
@@ -81,7 +80,8 @@ void inspectRequest(const View& view, Orders& orders) {
   if (ImGui::IsItemDeactivated() || (changed && !ImGui::IsItemActive())) orders.emplace_back(order::EndTuning{});
   tip(view, "Drag, or Ctrl+click to type a value.");
   const Point at = handleOf(*view.session.domain(), request);
-  if (!view.session.stale()) figure(view, "h wanted there now", compact(edgeLengthAt(view.now()->state.tree, at), 4));
+  const std::optional<Wanted> wanted = view.session.stale() ? std::nullopt : wantedAt(view.now()->state.tree, at);
+  if (wanted) figure(view, "h wanted there now", compact(wanted->length, 4));
   if (request.where == DensityRequest::Where::loop) {
     figure(view, "on the loop", request.loop);
     muted(view, "It holds all along the loop, so it cannot be moved.");

@@ -4,7 +4,7 @@
 
 #include "core/caption.h"
 #include "core/debug/element_events.h"
-#include "core/density/quadtree.h"
+#include "core/density/wanted.h"
 #include "core/number.h"
 #include "core/quality/bound_figure.h"
 #include "render/star.h"
@@ -112,9 +112,9 @@ void inspectVertex(const View& view, Orders& orders, const MeshState& state, std
   const Mesh& mesh = state.mesh;
   figure(view, "kind", std::string(nameOf(mesh.kinds[at(vertex)])));
   figure(view, "position", place(mesh.points[at(vertex)]));
-  if (!state.tree.cells.empty()) {
-    figure(view, "edge length h wanted here", compact(edgeLengthAt(state.tree, mesh.points[at(vertex)]), 4));
-    figure(view, "density rank here", std::to_string(densityRankAt(state.tree, mesh.points[at(vertex)])));
+  if (const std::optional<Wanted> wanted = wantedAt(state.tree, mesh.points[at(vertex)])) {
+    figure(view, "edge length h wanted here", compact(wanted->length, 4));
+    figure(view, "density rank here", std::to_string(wanted->rank));
   }
   if (mesh.vertexTriangle[at(vertex)] < 0) return;
   Star star;
@@ -180,10 +180,9 @@ std::string titleOf(const Pick& pick) {
 }  // namespace
 
 void drawInspect(const View& view, Orders& orders) {
-  const DensityUi& density = view.ui.density;
-  if (view.now() != nullptr && density.request && *density.request < view.session.domain()->density.size()) {
+  if (const DensityRequest* const request = view.request()) {
     // What is edited goes first, where it does not have to be scrolled to.
-    inspectRequest(view, orders);
+    inspectRequest(view, orders, *request);
     ImGui::Dummy({0, view.px(4)});
     return drawMeshFigures(view, orders);
   }
@@ -198,25 +197,23 @@ void drawInspect(const View& view, Orders& orders) {
     return;
   }
   title(view, titleOf(pick), "inspect.title");
-  if (view.ui.selectedGone) {
-    muted(view, "It is not part of the mesh at this moment.");
-    return;
-  }
+  const Selection here = view.selection();
   const MeshState& state = view.now()->state;
-  switch (pick.selection.kind) {
+  switch (here.kind) {
     case Selection::Kind::triangle:
-      inspectTriangle(view, orders, state, pick.selection.index);
+      inspectTriangle(view, orders, state, here.index);
       break;
     case Selection::Kind::vertex:
-      inspectVertex(view, orders, state, pick.selection.index);
+      inspectVertex(view, orders, state, here.index);
       break;
     case Selection::Kind::edge:
-      inspectEdge(view, orders, state, pick.selection);
+      inspectEdge(view, orders, state, here);
       break;
     case Selection::Kind::cell:
-      inspectCell(view, state, pick.selection.index);
+      inspectCell(view, state, here.index);
       break;
     case Selection::Kind::none:
+      muted(view, "It is not part of the mesh at this moment.");
       break;
   }
 }

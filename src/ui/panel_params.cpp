@@ -38,7 +38,8 @@ std::string labelOf(const SettingInfo& info) {
 bool number(const SettingInfo& info, double& value, Span span) {
   if (std::holds_alternative<int Settings::*>(info.member)) {
     auto whole = static_cast<int>(value);
-    const bool changed = ImGui::DragInt("##value", &whole, 0.3f, static_cast<int>(span.low),
+    const float pace = std::max(0.3f, 0.005f * static_cast<float>(whole));  // of a large number a part of itself
+    const bool changed = ImGui::DragInt("##value", &whole, pace, static_cast<int>(span.low),
                                         static_cast<int>(span.high), "%d", ImGuiSliderFlags_AlwaysClamp);
     value = whole;
     return changed;
@@ -87,7 +88,7 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     muted(view, label);
     const bool automatic = isLength(info) && before == 0.0;
     if (automatic && state != nullptr) value = state->minEdge;
-    ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(92)));
+    ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(102)));
     held = changed = number(info, value, span);
     letGo = ImGui::IsItemDeactivated();
     note(view, name);

@@ -240,7 +240,8 @@ void drawTimeline(const View& view, Orders& orders) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float gap = view.px(12);
-  const float left = std::max(view.px(kLabelWidth), ImGui::CalcTextSize("888 888 / 888 888").x) + gap;
+  const std::string most = grouped(std::max<std::uint64_t>(view.session.record().ticks, 888'888));
+  const float left = std::max(view.px(kLabelWidth), ImGui::CalcTextSize((most + " / " + most).c_str()).x) + gap;
   const bool narrow = room.x - left - togglesWidth(view) - gap < view.px(kNarrowestStrip);
   const float right = narrow ? menuWidth() : togglesWidth(view);
   const float width = std::max(view.px(60), room.x - left - right - gap);

@@ -33,7 +33,7 @@ class Object {
 constexpr std::array<std::string_view, 5> kActivities{"idle", "stepping", "playing", "meshing", "searching"};
 constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
 constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
-constexpr std::array<std::string_view, 7> kDialogs{"none", "open", "save", "export", "error", "help", "about"};
+constexpr std::array<std::string_view, 8> kDialogs{"none", "open", "save", "export", "error", "help", "about", "limit"};
 
 template <class Enum, std::size_t N>
 std::string_view word(const std::array<std::string_view, N>& words, Enum value) {
@@ -81,6 +81,7 @@ std::string widgets(const std::vector<WidgetRect>& all) {
 Point placeOf(const Selection& s, const MeshState& state) {
   const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
   const Mesh& mesh = state.mesh;
+  if (!isPartOf(state, s)) return {};
   switch (s.kind) {
     case Selection::Kind::none:
       return {};
@@ -117,15 +118,16 @@ std::string keys() {
 
 std::string selection(const View& view) {
   const UiState& ui = view.ui;
-  const bool there = view.now() != nullptr && !ui.selectedGone;
-  const Point place = there ? placeOf(ui.selected.selection, view.now()->state) : Point{};
+  const Selection here = view.selection();
+  const Point place = view.now() != nullptr ? placeOf(here, view.now()->state) : Point{};
+  const bool gone = ui.selected.selection.kind != Selection::Kind::none && here.kind == Selection::Kind::none;
   return Object()
       .number("x", place.x)
       .number("y", place.y)
       .text("kind", word(kSelections, ui.selected.selection.kind))
-      .number("index", ui.selected.selection.index)
+      .number("index", here.index)
       .number("id", ui.selected.id == kNoId ? -1.0 : static_cast<double>(ui.selected.id))
-      .flag("gone", ui.selectedGone)
+      .flag("gone", gone)
       .str();
 }
 
@@ -184,6 +186,7 @@ std::string document(const DocumentUi& ui, const DebugUi& debug) {
   return Object()
       .text("path", ui.path)
       .text("notes", ui.notes)
+      .flag("opening", ui.opening)
       .flag("unsaved", ui.unsaved)
       .flag("saving", ui.saving)
       .number("kept", static_cast<double>(ui.kept.size()))
@@ -206,7 +209,7 @@ std::string density(const View& view) {
   const DensityUi& ui = view.ui.density;
   return Object()
       .flag("placing", ui.placing)
-      .number("selected", ui.request ? static_cast<double>(*ui.request) : -1.0)
+      .number("selected", view.request() != nullptr ? static_cast<double>(*ui.request) : -1.0)
       .add("requests", list(requests))
       .str();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/estimate.h"
 #include "core/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -85,8 +86,15 @@ void drawStatusBar(const View& view, Orders&) {
   }
   if (now != nullptr) {
     if (now->quality.triangles > 0 && row.room(view.px(300))) bounds(view, now->quality);
-    row.text(counted(now->quality.vertices, "vertex", "vertices") + "   " +
-             counted(now->quality.triangles, "triangle", "triangles"));
+    if (now->quality.triangles > 0 || now->state.estimatedTriangles <= 0.0) {
+      row.text(counted(now->quality.vertices, "vertex", "vertices") + "   " +
+               counted(now->quality.triangles, "triangle", "triangles"));
+    } else {
+      const Estimate estimate = estimateOf(now->state);
+      row.text(fmt::format("about {} triangles, {}", roughCount(estimate.triangles), bytesText(estimate.bytes)));
+      note(view, "estimate");
+      tip(view, "What the mesh will come to by Table 1 of the paper, and the memory that it takes.");
+    }
   }
   if (view.ui.cursor)
     row.text(fmt::format("x {}   y {}", compact(view.ui.cursor->x, 5), compact(view.ui.cursor->y, 5)));

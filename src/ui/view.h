@@ -25,7 +25,7 @@ namespace triscope {
 
 class PinnedRun;
 
-enum class Dialog : std::uint8_t { none, open, save_as, export_to, error, help, about };
+enum class Dialog : std::uint8_t { none, open, save_as, export_to, error, help, about, limit };
 
 /// Where a widget was drawn last, for tests that press real buttons.
 struct WidgetRect {
@@ -46,6 +46,7 @@ struct Edit {
 struct DocumentUi {
   std::string path;  // empty: not saved yet
   std::string notes;
+  bool opening = false;  // another one: what is shown is of the one before
   bool unsaved = false;
   bool saving = false;
   std::vector<KeptWork> kept;  // left behind by earlier runs, the newest first
@@ -55,7 +56,7 @@ struct DocumentUi {
 /// Density constraints of the domain as they are edited.
 struct DensityUi {
   bool placing = false;                // a click places one
-  std::optional<std::size_t> request;  // that is selected, in Domain::density
+  std::optional<std::size_t> request;  // that is selected, in Domain::density; View::request() is safe to read
   bool held = false;                   // by the mouse
   std::optional<std::string> name;     // being typed
 };
@@ -82,9 +83,8 @@ struct UiState {
   Camera camera;
   Appearance look;
   double monitorScale = 1.0;
-  double speed = 60.0;  // decisions per second when playing
-  Pick selected;        // id says what is meant even when slots have been reused
-  bool selectedGone = false;
+  double speed = 60.0;             // decisions per second when playing
+  Pick selected;                   // in the mesh of some moment; View::selection() says where it is now
   std::string tab = "Stages";      // on the left
   std::optional<bool> sidePanels;  // shown; nothing: where there is room for them
   bool sidePanelsShown = true;     // last
@@ -125,6 +125,10 @@ struct View {
   std::string* tooltip = nullptr;              // that shows; null when nobody asks
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
   [[nodiscard]] const Theme& theme() const { return scene.theme; }
+  /// Where what is selected is in the mesh shown; kind none where it is not part of it, or nothing is selected.
+  [[nodiscard]] Selection selection() const { return now() ? present(now()->state, ui.selected) : Selection{}; }
+  /// The density constraint that is selected; null when none is.
+  [[nodiscard]] const DensityRequest* request() const;
   /// Whether what is shown is the state of the insertion's phase: on the way there, it is not.
   [[nodiscard]] bool inInsertion() const {
     const InsertionUi& insertion = ui.insertion;

@@ -110,6 +110,19 @@ TEST(Includes, PointOnlyToTheLeft) {
   }
 }
 
+/// At the start of a run there is no tree: whoever looks at a state asks wantedAt() and cellOf() of wanted.h.
+TEST(Includes, ViewersDoNotReadATreeThatMayBeEmpty) {
+  const fs::path root = fs::path(TRISCOPE_SOURCE_DIR) / "src";
+  for (const char* const folder : {"core/debug", "render", "ui", "cli"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+      std::ifstream stream(entry.path());
+      std::string line;
+      for (int number = 1; std::getline(stream, line); ++number)
+        for (const std::string_view call : {"edgeLengthAt(", "densityRankAt(", "leafAt("})
+          EXPECT_EQ(line.find(call), std::string::npos) << entry.path() << ":" << number << ": " << line;
+    }
+}
+
 TEST(Includes, TheGuardSeesWhatItMustRefuse) {
   EXPECT_EQ(complaint("core/mesh/mesh.cpp", "core/geometry/point.h"), "");
   EXPECT_NE(complaint("core/geometry/point.h", "core/mesh/mesh.h"), "");

@@ -87,5 +87,24 @@ TEST(Pick, SlotOfKnowsTheLivingFromTheDead) {
   EXPECT_EQ(slotOf(mesh, kNoId), -1);
 }
 
+TEST(Pick, IsPresentWhereTheMeshHasItAndNowhereElse) {
+  const MeshState& later = meshed();
+  const MeshState start = sample::start(sample::kFrame);
+  for (const double reach : {0.0, 0.1, 1.0}) {
+    const Pick found = pick(later, {5.0, 5.0}, reach);
+    EXPECT_EQ(present(later, found), found.selection);
+    EXPECT_EQ(present(start, found), Selection{}) << "no mesh and no tree yet";
+  }
+  const Pick cell = pick(later, {5.0, 5.0}, 0.0, true);
+  EXPECT_EQ(present(later, cell), cell.selection);
+  EXPECT_EQ(present(start, cell), Selection{});
+  // A slot that another triangle has now does not stand for the one meant.
+  const std::int32_t slot = triangleContaining(later.mesh, {5.0, 5.0});
+  Pick moved{{Kind::triangle, slot == 0 ? 1 : 0, -1}, idOf(later.mesh, slot), 0.0};
+  EXPECT_EQ(present(later, moved), (Selection{Kind::triangle, slot, -1}));
+  moved.id = later.mesh.nextId;
+  EXPECT_EQ(present(later, moved), Selection{});
+}
+
 }  // namespace
 }  // namespace triscope

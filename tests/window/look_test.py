@@ -88,7 +88,7 @@ class Stages(harness.WindowTest):
         window.wait(lambda s: s["tick"] == 0 and s["activity"] == "idle", "the start")
         seen = []
         for caption in (r"Constraints are done: \d+ found, Δx = 1\.", r"Quadtree is done: \d+ leaf cells\.",
-                        r"Density is done: \d+ leaf cells, ranks 1–\d+, \d+ triangles estimated\.",
+                        r"Density is done: \d+ leaf cells, ranks 1–\d+, \d+ triangles estimated, [\d.]+ \w+ of memory\.",
                         r"Boundary points are done: [1-9]\d* placed between those of the input\."):
             window.key("ctrl+Right")
             seen.append(window.wait(lambda s: re.fullmatch(caption, s["caption"]), caption)["layers"])

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/debug/why.h"
+#include "core/density/wanted.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
@@ -56,10 +57,9 @@ std::vector<Line> ofVertex(const MeshState& state, std::int32_t vertex) {
   const Point p = pointOf(mesh, vertex);
   std::vector<Line> lines{linked(fmt::format("Vertex {} at {}: {}.", vertex, place(p),
                                              kVertexKinds[static_cast<std::size_t>(mesh.kinds[at(vertex)])]))};
-  if (!state.tree.cells.empty())
-    lines.push_back(
-        linked(fmt::format("Edges of length h = {:.4g} are wanted here: density rank {}, in cell {}.",
-                           edgeLengthAt(state.tree, p), densityRankAt(state.tree, p), leafAt(state.tree, p))));
+  if (const std::optional<Wanted> wanted = wantedAt(state.tree, p))
+    lines.push_back(linked(fmt::format("Edges of length h = {:.4g} are wanted here: density rank {}, in cell {}.",
+                                       wanted->length, wanted->rank, wanted->cell)));
   Star star;
   starOf(mesh, vertex, star);
   std::string list;
@@ -69,8 +69,7 @@ std::vector<Line> ofVertex(const MeshState& state, std::int32_t vertex) {
   return lines;
 }
 
-std::vector<Line> ofCell(const MeshState& state, std::uint32_t index) {
-  const Cell& cell = state.tree.cells[index];
+std::vector<Line> ofCell(const MeshState& state, const Cell& cell, std::uint32_t index) {
   std::vector<Line> lines{
       linked(fmt::format("Cell {} of rank {}, side {:.4g}, lower left corner {}.", index, cell.rank,
                          state.tree.side(cell), place(state.tree.corner(cell)))),
@@ -101,7 +100,7 @@ std::vector<Line> figuresOf(const MeshState& state, Events events, Ref ref) {
       if (ref.id < mesh.points.size()) return ofVertex(state, static_cast<std::int32_t>(ref.id));
       break;
     case Ref::Kind::cell:
-      if (ref.id < state.tree.cells.size()) return ofCell(state, ref.id);
+      if (const Cell* const cell = cellOf(state.tree, ref.id)) return ofCell(state, *cell, ref.id);
       break;
     case Ref::Kind::event:
       if (ref.id < events.size()) return {lineOf(events, ref.id)};
