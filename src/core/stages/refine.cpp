@@ -6,9 +6,9 @@
 
 #include "core/geometry/predicates.h"
 #include "core/geometry/trig.h"
-#include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
-#include "core/mesh/move.h"
+#include "core/stages/refine_marks.h"
+#include "core/stages/refine_trial.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -16,87 +16,53 @@ namespace {
 
 enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
 
-constexpr double kLargeAreaRatio = 2.0;    // pairs beyond it get their shared edge moved
-constexpr double kLargeAspect = 3.0;       // a shared edge may be moved as long as no aspect ratio grows beyond it
-constexpr double kLargeEdgeRatio = 1.935;  // the paper ends at 1.94: no move goes beyond, or beyond what was
-constexpr double kSharedEdgeStep = 0.1;    // of the height h of the larger triangle
-// Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
-constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
-constexpr std::uint8_t kUnchanged = 128;  // since this pass began
-constexpr int kWholePasses = 6;           // the filter works everywhere in these, and near obtuse triangles in the rest
-constexpr int kPatience = 3;              // passes without fewer obtuse triangles before the stage ends
-
-thread_local MoveLog moveLog;
-thread_local Star star;
-thread_local std::vector<std::int32_t> before;
+constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
+constexpr int kWholePasses = 6;          // the filter works everywhere in these, and near obtuse triangles in the rest
+constexpr int kPatience = 3;             // passes without fewer obtuse triangles before the stage ends
 
 bool movable(const Mesh& mesh, std::int32_t vertex) {
   return mesh.vertexEdge[at(vertex)] < 0 && mesh.vertexTriangle[at(vertex)] >= 0;
 }
 
-// Why the region after a move is worse than before; none when it is not. Each part of the step answers for the measure
-// it is there to improve, and may not spoil the others beyond what is large.
-Refusal judge(Rule rule, const Badness& was, const Badness& is, double minEdge) {
-  if (is.broken > was.broken || is.excess > was.excess) return Refusal::bound_broken;
-  if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
-  if (is.obtuse > was.obtuse) return Refusal::star_worse;
-  if (is.areaRatio > std::max(was.areaRatio, kLargeAreaRatio)) return Refusal::star_worse;
-  if (is.edgeRatio > std::max(was.edgeRatio, kLargeEdgeRatio * kLargeEdgeRatio)) return Refusal::star_worse;
-  if (is.obtuse < was.obtuse) return Refusal::none;
-  const bool worse = rule == Rule::shared_edge
-                         ? is.areaRatio >= was.areaRatio || is.worst > std::max(was.worst, kLargeAspect)
-                         : is.worst > was.worst;
-  return worse ? Refusal::star_worse : Refusal::none;
+// Cursor::next after the last whole pass: the vertices around which a triangle is not settled.
+bool marksKept(const MeshState& state) { return state.round > kWholePasses; }
+
+// Everybody around what has changed is to be looked at again.
+void markAround(Mesh& mesh, std::int32_t slot, VertexMarks& marks) {
+  const Triangle& t = triangleAt(mesh, slot);
+  for (const std::int32_t v : t.v) mark(marks, v);
+  for (const std::int32_t across : t.adj)
+    if (across >= 0) mark(marks, apexOf(mesh, across));
 }
 
-struct Trial {
-  Refusal refusal = Refusal::none;
-  double measured = 0.0;  // worst aspect ratio after, and before
-  double limit = 0.0;
-};
-
-// Moves the vertex when the region it changes is no worse for it.
-Trial tryMove(MeshState& state, Rule rule, std::int32_t vertex, Point to) {
-  Mesh& mesh = state.mesh;
-  starOf(mesh, vertex, star);
-  before.clear();
-  std::uint8_t finestRank = mesh.density[at(vertex)];
-  for (const std::int32_t rim : star.rim) {
-    before.push_back(triangleOf(rim));
-    finestRank = std::min(finestRank, mesh.density[at(startOf(mesh, rim))]);
+Trial tryMove(MeshState& state, const Move& move, TrialRoom& room) {
+  Trial trial;
+  const bool inPlace = tryInPlace(state, move, room.wheel, trial);
+  if (!inPlace) trial = tryInFull(state, move, room);
+  if (trial.refusal != Refusal::none || !marksKept(state)) return trial;
+  if (inPlace) {
+    for (const Spoke& spoke : room.wheel.spokes) markAround(state.mesh, spoke.slot, state.cursor.next);
+  } else {
+    for (const std::int32_t slot : room.log.slots) markAround(state.mesh, slot, state.cursor.next);
   }
-  Badness was = badnessOf(mesh, before);
-  if (!moveVertex(mesh, vertex, to, moveLog)) return {Refusal::inverts_triangle, 0.0, 0.0};
-  const Badness is = badnessOf(mesh, moveLog.slots);
-  const bool flipped = moveLog.flips > 0;
-  if (flipped) {  // the region has grown by the triangles flipped: look at all of it as it was
-    undoMove(mesh, moveLog);
-    was = badnessOf(mesh, moveLog.slots);
-  }
-  // Δx, or less where kept input edges made the density finer than that.
-  const double finest = std::min(state.minEdge, state.tree.minEdge * rankLength(finestRank));
-  const Refusal refusal = judge(rule, was, is, finest);
-  if (refusal == Refusal::none && flipped) moveVertex(mesh, vertex, to, moveLog);
-  if (refusal != Refusal::none && !flipped) undoMove(mesh, moveLog);
-  const bool byEdge = refusal == Refusal::edge_below_minimum;
-  return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? finest : was.worst};
+  return trial;
 }
 
-Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t subject, std::int32_t vertex,
-                   Point to) {
-  const Point from = pointOf(state.mesh, vertex);
+// `room` holds the star of the vertex.
+Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room) {
+  const Point from = pointOf(state.mesh, move.vertex);
   const std::uint32_t firstId = state.mesh.nextId;
-  const Trial trial = tryMove(state, rule, vertex, to);
+  const Trial trial = tryMove(state, move, room);
   StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
   const bool moved = trial.refusal == Refusal::none;
   ++(moved ? counts.moved : counts.refused);
   if (moved) ++state.cursor.changes;
   if (journal.listening()) {
-    Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, rule);
+    Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, move.rule);
     event.refusal = trial.refusal;
     event.subject = subject;
-    event.vertex = static_cast<std::uint32_t>(vertex);
-    event.at = to;
+    event.vertex = static_cast<std::uint32_t>(move.vertex);
+    event.at = move.to;
     event.from = from;
     event.measured = trial.measured;
     event.limit = trial.limit;
@@ -107,11 +73,6 @@ Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t 
     journal.record(event);
   }
   return Outcome::decided;
-}
-
-bool settled(const Mesh& mesh) {
-  return std::all_of(star.rim.begin(), star.rim.end(),
-                     [&](std::int32_t rim) { return (mesh.tested[at(triangleOf(rim))] & kSettled) != 0; });
 }
 
 // Corner with an angle above 90°, or -1.
@@ -126,26 +87,28 @@ int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
   return -1;
 }
 
-// True when a triangle around the vertex of `star`, or one beside those, is obtuse.
-bool nearObtuse(const Mesh& mesh) {
-  for (const std::int32_t rim : star.rim) {
-    if (obtuseCorner(mesh, triangleOf(rim)) >= 0) return true;
-    const std::int32_t across = oppositeOf(mesh, rim);
-    if (across >= 0 && obtuseCorner(mesh, triangleOf(across)) >= 0) return true;
-  }
-  return false;
+bool obtuseSlot(const Mesh& mesh, std::int32_t slot) {
+  return (mesh.tested[at(slot)] & kAcute) == 0 && obtuseCorner(mesh, slot) >= 0;
+}
+
+// True when a triangle of the star, or one beside those, is obtuse.
+bool nearObtuse(const Mesh& mesh, const Wheel& wheel) {
+  return std::any_of(wheel.spokes.begin(), wheel.spokes.end(), [&](const Spoke& spoke) {
+    return obtuseSlot(mesh, spoke.slot) || (spoke.across >= 0 && obtuseSlot(mesh, triangleOf(spoke.across)));
+  });
 }
 
 // p0 + ω (Σ (pi - p0)) / n
-bool filtered(const Mesh& mesh, std::int32_t vertex, double omega, int pass, Point& to) {
-  if (!movable(mesh, vertex)) return false;
-  starOf(mesh, vertex, star);
-  if (!star.closed || settled(mesh)) return false;
-  if (pass > kWholePasses && !nearObtuse(mesh)) return false;
+bool filtered(const MeshState& state, std::int32_t vertex, Wheel& wheel, Point& to) {
+  const Mesh& mesh = state.mesh;
+  if (!movable(mesh, vertex) || !gather(mesh, vertex, wheel)) return false;
+  const auto isSettled = [&](const Spoke& spoke) { return settled(mesh, spoke.slot); };
+  if (std::all_of(wheel.spokes.begin(), wheel.spokes.end(), isSettled)) return false;
+  if (state.round > kWholePasses && !nearObtuse(mesh, wheel)) return false;
   const Point p = pointOf(mesh, vertex);
   Point sum;
-  for (const std::int32_t rim : star.rim) sum = sum + (pointOf(mesh, startOf(mesh, rim)) - p);
-  to = p + (omega / static_cast<double>(star.rim.size())) * sum;
+  for (const Spoke& spoke : wheel.spokes) sum = sum + (spoke.at - p);
+  to = p + (state.settings.omega / static_cast<double>(wheel.spokes.size())) * sum;
   return true;
 }
 
@@ -180,13 +143,17 @@ constexpr std::array<double, 3> kTurns = {1.0, 0.5, 2.0};
 constexpr std::uint64_t kTries = 3 * kTurns.size();
 
 // index = 9·slot + try.
-Outcome runObtuse(MeshState& state, Journal& journal) {
+Outcome runObtuse(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
   for (; cursor.index < kTries * mesh.triangles.size(); ++cursor.index) {
-    const auto slot = static_cast<std::int32_t>(cursor.index / kTries);
-    const int corner = !mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0 ? -1 : obtuseCorner(mesh, slot);
+    const std::size_t open = nextOpen(mesh, cursor.index / kTries, kAcute);
+    if (open != cursor.index / kTries) cursor.index = kTries * open;
+    if (open == mesh.triangles.size()) break;
+    const auto slot = static_cast<std::int32_t>(open);
+    const int corner = obtuseCorner(mesh, slot);
     if (corner < 0) {
+      mesh.tested[open] |= kAcute;
       cursor.index += kTries - 1 - cursor.index % kTries;  // on to the next triangle
       continue;
     }
@@ -197,81 +164,107 @@ Outcome runObtuse(MeshState& state, Journal& journal) {
     const std::uint64_t which = cursor.index % 3;
     const double theta = kTurns[cursor.index % kTries / 3] * state.settings.theta * trig::kDegree;
     const std::int32_t moved = which == 0 ? p1 : which == 1 ? p3 : p2;
-    if (!movable(mesh, moved)) continue;
+    if (!movable(mesh, moved) || !gather(mesh, moved, room.wheel)) continue;
     const Point about = pointOf(mesh, p2);
     const Point to = which == 2 ? apexRaised(pointOf(mesh, p1), about, pointOf(mesh, p3), theta)
                                 : turned(pointOf(mesh, moved), about, trig::sinCos(which == 0 ? theta : -theta));
     ++cursor.index;
-    return decideMove(state, journal, Rule::reduce_obtuse, idOf(mesh, slot), moved, to);
+    return decideMove(state, journal, {Rule::reduce_obtuse, moved, to}, idOf(mesh, slot), room);
   }
   return Outcome::done;
 }
 
-Outcome runSharedEdge(MeshState& state, Journal& journal) {
+// index = 2·slot + end of the edge.
+Outcome runSharedEdge(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
   for (; cursor.index < 2 * mesh.triangles.size(); ++cursor.index) {
-    const auto slot = static_cast<std::int32_t>(cursor.index / 2);
-    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0) continue;
+    const std::size_t open = nextOpen(mesh, cursor.index / 2, kEven);
+    if (open != cursor.index / 2) cursor.index = 2 * open;
+    if (open == mesh.triangles.size()) break;
+    const auto slot = static_cast<std::int32_t>(open);
     const int edge = largeNeighbour(mesh, slot);
-    if (edge < 0) continue;
+    if (edge < 0) {
+      mesh.tested[open] |= kEven;
+      continue;
+    }
     const std::int32_t half = 3 * slot + edge;
     const std::int32_t moved = cursor.index % 2 == 1 ? endOf(mesh, half) : startOf(mesh, half);
-    if (!movable(mesh, moved)) continue;
+    if (!movable(mesh, moved) || !gather(mesh, moved, room.wheel)) continue;
     const Point along = pointOf(mesh, endOf(mesh, half)) - pointOf(mesh, startOf(mesh, half));
     const double height = twiceArea(mesh, triangleOf(oppositeOf(mesh, half))) / length(along);
     const Point into = (-kSharedEdgeStep * height / length(along)) * perpendicular(along);
     ++cursor.index;
-    return decideMove(state, journal, Rule::shared_edge, idOf(mesh, slot), moved, pointOf(mesh, moved) + into);
+    const Move move{Rule::shared_edge, moved, pointOf(mesh, moved) + into};
+    return decideMove(state, journal, move, idOf(mesh, slot), room);
   }
   return Outcome::done;
 }
 
-Outcome runLaplacian(MeshState& state, Journal& journal) {
+Outcome runLaplacian(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
-  while (cursor.index < state.mesh.points.size()) {
+  for (;;) {
+    if (marksKept(state)) cursor.index = nextMarked(cursor.next, cursor.index);
+    if (cursor.index >= state.mesh.points.size()) return Outcome::done;
     const auto vertex = static_cast<std::int32_t>(cursor.index++);
     Point to;
-    if (!filtered(state.mesh, vertex, state.settings.omega, state.round, to)) continue;
-    return decideMove(state, journal, Rule::laplacian, kNoId, vertex, to);
+    if (!filtered(state, vertex, room.wheel, to)) continue;
+    return decideMove(state, journal, {Rule::laplacian, vertex, to}, kNoId, room);
   }
-  return Outcome::done;
 }
 
 // Between passes: what the pass left unchanged is settled. Returns the number of obtuse triangles.
-std::int32_t settle(Mesh& mesh) {
+std::int32_t settle(MeshState& state) {
+  Mesh& mesh = state.mesh;
+  VertexMarks& marks = state.cursor.next;
+  const bool last = state.round >= kWholePasses;  // of the whole passes, or none
+  if (last) marks.assign((mesh.points.size() + 31) / 32, 0);
   std::int32_t count = 0;
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    if ((mesh.flags[slot] & kDead) != 0) continue;
     std::uint8_t& tested = mesh.tested[slot];
+    if ((mesh.flags[slot] & kDead) != 0) continue;
     if ((tested & kUnchanged) != 0) tested |= kSettled;
     tested |= kUnchanged;
-    if (obtuseCorner(mesh, static_cast<std::int32_t>(slot)) >= 0) ++count;
+    if ((tested & kAcute) == 0) {
+      const bool isObtuse = obtuseCorner(mesh, static_cast<std::int32_t>(slot)) >= 0;
+      if (isObtuse) ++count;
+      if (!isObtuse) tested |= kAcute;
+    }
+    if (!last || (tested & kSettled) != 0) continue;
+    for (const std::int32_t v : mesh.triangles[slot].v) mark(marks, v);
   }
   return count;
+}
+
+// What the rules before this step remember of triangles says nothing about its own.
+void forgetTests(Mesh& mesh) {
+  for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot)
+    if ((mesh.flags[slot] & kDead) == 0) mesh.tested[slot] = 0;
 }
 
 }  // namespace
 
 Outcome runRefine(MeshState& state, Journal& journal) {
-  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since.
+  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since; next: marks.
+  thread_local TrialRoom room;
   Cursor& cursor = state.cursor;
   const Settings& settings = state.settings;
   if (!cursor.begun) {
     cursor.begun = true;
     state.round = 1;
-    cursor.worklist = {settle(state.mesh), 0};
+    forgetTests(state.mesh);
+    cursor.worklist = {settle(state), 0};
   }
   for (;;) {
     Outcome outcome = Outcome::done;
-    if (cursor.phase == laplacian && settings.laplacian) outcome = runLaplacian(state, journal);
-    if (cursor.phase == obtuse && settings.reduceObtuse) outcome = runObtuse(state, journal);
-    if (cursor.phase == shared_edge && settings.sharedEdge) outcome = runSharedEdge(state, journal);
+    if (cursor.phase == laplacian && settings.laplacian) outcome = runLaplacian(state, journal, room);
+    if (cursor.phase == obtuse && settings.reduceObtuse) outcome = runObtuse(state, journal, room);
+    if (cursor.phase == shared_edge && settings.sharedEdge) outcome = runSharedEdge(state, journal, room);
     if (cursor.phase == over) return Outcome::done;
     if (outcome != Outcome::done) return outcome;
     cursor.index = 0;
     if (++cursor.phase != over) continue;
-    const std::int32_t left = settle(state.mesh);
+    const std::int32_t left = settle(state);
     cursor.worklist[1] = left < cursor.worklist[0] ? 0 : cursor.worklist[1] + 1;
     cursor.worklist[0] = std::min(left, cursor.worklist[0]);
     if (left == 0 || cursor.worklist[1] >= kPatience || state.round >= settings.refinePasses) return Outcome::done;
