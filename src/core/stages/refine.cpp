@@ -1,6 +1,7 @@
-// Stage "refine": step 6, the local refinements (paper, section 4, Figure 3). Passes over the mesh move points by the
-// Laplacian filter, turn the sides of obtuse angles together, and move shared edges into the larger triangle; after
-// each move the triangulation is made Delaunay again. Boundary vertices stay.
+// Stage "refine": step 6, the local refinements (paper, section 4, Figure 3). Passes over the mesh turn the sides of
+// obtuse angles together, move shared edges into the larger triangle, and move points by the Laplacian filter; passes
+// after them look only at what is poor, and polish it. After each move the triangulation is made Delaunay again.
+// Boundary vertices stay. The number of passes does not grow with the mesh.
 #include <algorithm>
 #include <array>
 
@@ -8,72 +9,18 @@
 #include "core/geometry/trig.h"
 #include "core/mesh/edit.h"
 #include "core/stages/refine_marks.h"
+#include "core/stages/refine_polish.h"
 #include "core/stages/refine_trial.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
 namespace {
 
-enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
+enum Part : std::uint32_t { obtuse, shared_edge, laplacian, polish, over };
 
 constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
-constexpr int kWholePasses = 6;          // the filter works everywhere in these, and near obtuse triangles in the rest
-constexpr int kPatience = 3;             // passes without fewer obtuse triangles before the stage ends
-
-bool movable(const Mesh& mesh, std::int32_t vertex) {
-  return mesh.vertexEdge[at(vertex)] < 0 && mesh.vertexTriangle[at(vertex)] >= 0;
-}
-
-// Cursor::next after the last whole pass: the vertices around which a triangle is not settled.
-bool marksKept(const MeshState& state) { return state.round > kWholePasses; }
-
-// Everybody around what has changed is to be looked at again.
-void markAround(Mesh& mesh, std::int32_t slot, VertexMarks& marks) {
-  const Triangle& t = triangleAt(mesh, slot);
-  for (const std::int32_t v : t.v) mark(marks, v);
-  for (const std::int32_t across : t.adj)
-    if (across >= 0) mark(marks, apexOf(mesh, across));
-}
-
-Trial tryMove(MeshState& state, const Move& move, TrialRoom& room) {
-  Trial trial;
-  const bool inPlace = tryInPlace(state, move, room.wheel, trial);
-  if (!inPlace) trial = tryInFull(state, move, room);
-  if (trial.refusal != Refusal::none || !marksKept(state)) return trial;
-  if (inPlace) {
-    for (const Spoke& spoke : room.wheel.spokes) markAround(state.mesh, spoke.slot, state.cursor.next);
-  } else {
-    for (const std::int32_t slot : room.log.slots) markAround(state.mesh, slot, state.cursor.next);
-  }
-  return trial;
-}
-
-// `room` holds the star of the vertex.
-Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room) {
-  const Point from = pointOf(state.mesh, move.vertex);
-  const std::uint32_t firstId = state.mesh.nextId;
-  const Trial trial = tryMove(state, move, room);
-  StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
-  const bool moved = trial.refusal == Refusal::none;
-  ++(moved ? counts.moved : counts.refused);
-  if (moved) ++state.cursor.changes;
-  if (journal.listening()) {
-    Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, move.rule);
-    event.refusal = trial.refusal;
-    event.subject = subject;
-    event.vertex = static_cast<std::uint32_t>(move.vertex);
-    event.at = move.to;
-    event.from = from;
-    event.measured = trial.measured;
-    event.limit = trial.limit;
-    if (state.mesh.nextId > firstId) {
-      event.created = firstId;
-      event.createdCount = state.mesh.nextId - firstId;
-    }
-    journal.record(event);
-  }
-  return Outcome::decided;
-}
+constexpr int kWholePasses = 1;          // over the whole mesh; those after them only near what is poor
+constexpr int kPoorPasses = 7;
 
 // Corner with an angle above 90°, or -1.
 int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
@@ -87,28 +34,24 @@ int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
   return -1;
 }
 
-bool obtuseSlot(const Mesh& mesh, std::int32_t slot) {
-  return (mesh.tested[at(slot)] & kAcute) == 0 && obtuseCorner(mesh, slot) >= 0;
+// One pass goes as far as 24 by ω would, with the neighbours at rest: 1 - (1 - ω)^24 of the way.
+double filterPart(double omega) {
+  double left = 1.0 - omega;
+  left = left * left * left;
+  for (int k = 0; k < 3; ++k) left = left * left;
+  return 1.0 - left;
 }
 
-// True when a triangle of the star, or one beside those, is obtuse.
-bool nearObtuse(const Mesh& mesh, const Wheel& wheel) {
-  return std::any_of(wheel.spokes.begin(), wheel.spokes.end(), [&](const Spoke& spoke) {
-    return obtuseSlot(mesh, spoke.slot) || (spoke.across >= 0 && obtuseSlot(mesh, triangleOf(spoke.across)));
-  });
-}
-
-// p0 + ω (Σ (pi - p0)) / n
+// p0 + part · (Σ (pi - p0)) / n
 bool filtered(const MeshState& state, std::int32_t vertex, Wheel& wheel, Point& to) {
   const Mesh& mesh = state.mesh;
   if (!movable(mesh, vertex) || !gather(mesh, vertex, wheel)) return false;
   const auto isSettled = [&](const Spoke& spoke) { return settled(mesh, spoke.slot); };
   if (std::all_of(wheel.spokes.begin(), wheel.spokes.end(), isSettled)) return false;
-  if (state.round > kWholePasses && !nearObtuse(mesh, wheel)) return false;
   const Point p = pointOf(mesh, vertex);
   Point sum;
   for (const Spoke& spoke : wheel.spokes) sum = sum + (spoke.at - p);
-  to = p + (state.settings.omega / static_cast<double>(wheel.spokes.size())) * sum;
+  to = p + (filterPart(state.settings.omega) / static_cast<double>(wheel.spokes.size())) * sum;
   return true;
 }
 
@@ -203,74 +146,81 @@ Outcome runSharedEdge(MeshState& state, Journal& journal, TrialRoom& room) {
 
 Outcome runLaplacian(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
-  for (;;) {
-    if (marksKept(state)) cursor.index = nextMarked(cursor.next, cursor.index);
-    if (cursor.index >= state.mesh.points.size()) return Outcome::done;
+  while (cursor.index < state.mesh.points.size()) {
     const auto vertex = static_cast<std::int32_t>(cursor.index++);
     Point to;
     if (!filtered(state, vertex, room.wheel, to)) continue;
     return decideMove(state, journal, {Rule::laplacian, vertex, to}, kNoId, room);
   }
+  return Outcome::done;
 }
 
-// Between passes: what the pass left unchanged is settled. Returns the number of obtuse triangles.
-std::int32_t settle(MeshState& state) {
-  Mesh& mesh = state.mesh;
-  VertexMarks& marks = state.cursor.next;
-  const bool last = state.round >= kWholePasses;  // of the whole passes, or none
-  if (last) marks.assign((mesh.points.size() + 31) / 32, 0);
-  std::int32_t count = 0;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    std::uint8_t& tested = mesh.tested[slot];
-    if ((mesh.flags[slot] & kDead) != 0) continue;
-    if ((tested & kUnchanged) != 0) tested |= kSettled;
-    tested |= kUnchanged;
-    if ((tested & kAcute) == 0) {
-      const bool isObtuse = obtuseCorner(mesh, static_cast<std::int32_t>(slot)) >= 0;
-      if (isObtuse) ++count;
-      if (!isObtuse) tested |= kAcute;
-    }
-    if (!last || (tested & kSettled) != 0) continue;
-    for (const std::int32_t v : mesh.triangles[slot].v) mark(marks, v);
+// The next decision of the part of the pass that is at hand.
+Outcome runPart(MeshState& state, Journal& journal, TrialRoom& room) {
+  const Settings& settings = state.settings;
+  const bool whole = state.round <= kWholePasses;
+  switch (static_cast<Part>(state.cursor.phase)) {
+    case obtuse:
+      return settings.reduceObtuse ? runObtuse(state, journal, room) : Outcome::done;
+    case shared_edge:
+      return settings.sharedEdge ? runSharedEdge(state, journal, room) : Outcome::done;
+    case laplacian:
+      return settings.laplacian && whole ? runLaplacian(state, journal, room) : Outcome::done;
+    case polish:
+      return settings.polish && !whole ? runPolish(state, journal, room) : Outcome::done;
+    case over:
+      break;
   }
-  return count;
+  return Outcome::done;
+}
+
+// Between passes: what the pass left unchanged is settled. False when that is all.
+bool settle(MeshState& state) {
+  Mesh& mesh = state.mesh;
+  bool changed = false;
+  for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot) {
+    std::uint8_t& tested = mesh.tested[slot];
+    if ((tested & kSettled) != 0) continue;
+    if ((tested & kUnchanged) != 0) {
+      tested |= kSettled;
+    } else {
+      tested |= kUnchanged;
+      changed = true;
+    }
+  }
+  return changed;
 }
 
 // What the rules before this step remember of triangles says nothing about its own.
 void forgetTests(Mesh& mesh) {
   for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot)
-    if ((mesh.flags[slot] & kDead) == 0) mesh.tested[slot] = 0;
+    if ((mesh.flags[slot] & kDead) == 0) mesh.tested[slot] = kUnchanged;
 }
 
 }  // namespace
 
 Outcome runRefine(MeshState& state, Journal& journal) {
-  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since; next: marks.
+  // round: the pass, from 1; phase: part of the pass; the rest is its own business.
   thread_local TrialRoom room;
   Cursor& cursor = state.cursor;
-  const Settings& settings = state.settings;
   if (!cursor.begun) {
     cursor.begun = true;
     state.round = 1;
     forgetTests(state.mesh);
-    cursor.worklist = {settle(state), 0};
   }
-  for (;;) {
-    Outcome outcome = Outcome::done;
-    if (cursor.phase == laplacian && settings.laplacian) outcome = runLaplacian(state, journal, room);
-    if (cursor.phase == obtuse && settings.reduceObtuse) outcome = runObtuse(state, journal, room);
-    if (cursor.phase == shared_edge && settings.sharedEdge) outcome = runSharedEdge(state, journal, room);
-    if (cursor.phase == over) return Outcome::done;
+  while (cursor.phase != over) {
+    const Outcome outcome = runPart(state, journal, room);
     if (outcome != Outcome::done) return outcome;
     cursor.index = 0;
     if (++cursor.phase != over) continue;
-    const std::int32_t left = settle(state);
-    cursor.worklist[1] = left < cursor.worklist[0] ? 0 : cursor.worklist[1] + 1;
-    cursor.worklist[0] = std::min(left, cursor.worklist[0]);
-    if (left == 0 || cursor.worklist[1] >= kPatience || state.round >= settings.refinePasses) return Outcome::done;
+    const bool changed = settle(state);
+    if (state.round == kWholePasses) beginPolish(state);
+    const bool last = state.round >= std::min(state.settings.refinePasses, kWholePasses + kPoorPasses);
+    if (last || (!changed && state.round > kWholePasses)) break;
     ++state.round;
-    cursor.phase = laplacian;
+    cursor.phase = obtuse;
   }
+  return Outcome::done;
 }
 
 }  // namespace triscope

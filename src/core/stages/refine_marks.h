@@ -1,9 +1,8 @@
-// What step 6 remembers of triangles and vertices from pass to pass, so that it need not look at them again.
+// What step 6 remembers of triangles from pass to pass, so that it need not look at them again.
 #pragma once
 
 #include <bit>
 #include <cstring>
-#include <vector>
 
 #include "core/mesh/edit.h"
 
@@ -11,6 +10,7 @@ namespace triscope {
 
 // Bits of Mesh::tested in step 6. They are cleared where a triangle or a neighbour changes, unless it is known that
 // they hold all the same.
+inline constexpr std::uint8_t kTried = 8;        // polished in vain, or about to be
 inline constexpr std::uint8_t kEven = 16;        // no neighbour is larger by kLargeAreaRatio
 inline constexpr std::uint8_t kAcute = 32;       // not obtuse
 inline constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
@@ -34,24 +34,6 @@ inline std::size_t nextOpen(const Mesh& mesh, std::size_t from, std::uint8_t wel
     if (slot < count && (mesh.tested[slot] & (kSettled | well)) == 0) return slot;
   }
   return count;
-}
-
-/// A set of vertices, 32 a word.
-using VertexMarks = std::vector<std::int32_t>;
-
-inline void mark(VertexMarks& marks, std::int32_t vertex) {
-  std::int32_t& word = marks[at(vertex >> 5)];
-  word = static_cast<std::int32_t>(static_cast<std::uint32_t>(word) | 1u << (vertex & 31));
-}
-
-/// The first vertex marked at or after `from`; the number of places for marks when there is none.
-inline std::uint64_t nextMarked(const VertexMarks& marks, std::uint64_t from) {
-  for (std::uint64_t word = from >> 5; word < marks.size(); ++word) {
-    auto left = static_cast<std::uint32_t>(marks[word]);
-    if (word == from >> 5) left &= ~0u << (from & 31);
-    if (left != 0) return 32 * word + static_cast<std::uint64_t>(std::countr_zero(left));
-  }
-  return 32 * marks.size();
 }
 
 }  // namespace triscope

@@ -7,6 +7,7 @@
 #include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
 #include "core/stages/refine_marks.h"
+#include "core/stages/refine_strain.h"
 
 namespace triscope {
 namespace {
@@ -15,11 +16,17 @@ constexpr double kLargeAspect = 3.0;       // a shared edge may be moved as long
 constexpr double kLargeEdgeRatio = 1.935;  // the paper ends at 1.94: no move goes beyond, or beyond what was
 
 // Why the region after a move is worse than before; none when it is not. Each part of the step answers for the measure
-// it is there to improve, and may not spoil the others beyond what is large.
-Refusal judge(Rule rule, const Badness& was, const Badness& is, double minEdge) {
+// it is there to improve, and may not spoil the others beyond what is large; polishing answers for all of them.
+Refusal judge(const MeshState& state, Rule rule, const Badness& was, const Badness& is, double minEdge) {
   if (is.broken > was.broken || is.excess > was.excess) return Refusal::bound_broken;
   if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
   if (is.obtuse > was.obtuse) return Refusal::star_worse;
+  if (rule == Rule::polish) {
+    const Worst worst = worstKept(state.cursor);
+    const double strain = strainOf(is, worst);
+    const bool better = strain < strainOf(was, worst) || (is.obtuse < was.obtuse && strain <= 1.0);
+    return better ? Refusal::none : Refusal::star_worse;
+  }
   if (is.areaRatio > std::max(was.areaRatio, kLargeAreaRatio)) return Refusal::star_worse;
   if (is.edgeRatio > std::max(was.edgeRatio, kLargeEdgeRatio * kLargeEdgeRatio)) return Refusal::star_worse;
   if (is.obtuse < was.obtuse) return Refusal::none;
@@ -34,8 +41,8 @@ double shortestAllowed(const MeshState& state, std::uint8_t finestRank) {
   return std::min(state.minEdge, state.tree.minEdge * rankLength(finestRank));
 }
 
-Trial judged(Rule rule, const Badness& was, const Badness& is, double minEdge) {
-  const Refusal refusal = judge(rule, was, is, minEdge);
+Trial judged(const MeshState& state, Rule rule, const Badness& was, const Badness& is, double minEdge) {
+  const Refusal refusal = judge(state, rule, was, is, minEdge);
   const bool byEdge = refusal == Refusal::edge_below_minimum;
   return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? minEdge : was.worst};
 }
@@ -157,6 +164,16 @@ double edgeRatioOf(const Rim& rim, const Pose& pose) {  // squared
   return ratio;
 }
 
+double radiusOf(const Rim& rim, const Pose& pose) {  // over the shortest edge, squared
+  double radius = Badness{}.radius;
+  for (std::size_t k = 0; k < rim.count; ++k) {
+    double l = pose.squared[k], m = rim.squared[k], r = pose.squared[k + 1];
+    inOrder(l, m, r);
+    radius = std::max(radius, m * r / (4.0 * pose.area[k] * pose.area[k]));
+  }
+  return radius;
+}
+
 // The angles opposite an edge sum up to clearly less than 180°, for every spoke and every rim.
 bool staysDelaunay(const Mesh& mesh, const Wheel& wheel, const Rim& rim, const Pose& pose) {
   const std::size_t n = rim.count;
@@ -218,7 +235,7 @@ Trial tryInFull(MeshState& state, const Move& move, TrialRoom& room) {
     undoMove(mesh, room.log);
     was = badnessOf(mesh, room.log.slots);
   }
-  const Trial trial = judged(move.rule, was, is, shortestAllowed(state, finestRank));
+  const Trial trial = judged(state, move.rule, was, is, shortestAllowed(state, finestRank));
   if (trial.refusal == Refusal::none && flipped) moveVertex(mesh, move.vertex, move.to, room.log);
   if (trial.refusal != Refusal::none && !flipped) undoMove(mesh, room.log);
   return trial;
@@ -242,19 +259,48 @@ bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Trial& t
   was.worst = before.worst, is.worst = after.worst;
   was.shortest = before.shortest, is.shortest = after.shortest;
   // Ratios count only where they grow large, or where they are what the move is to improve.
-  if (after.slender) was.edgeRatio = edgeRatioOf(rim, from), is.edgeRatio = edgeRatioOf(rim, to);
-  if (move.rule == Rule::shared_edge || !areasWithin(rim, to, kClearly * kLargeAreaRatio)) {
+  const bool polish = move.rule == Rule::polish;
+  if (polish || after.slender) was.edgeRatio = edgeRatioOf(rim, from), is.edgeRatio = edgeRatioOf(rim, to);
+  if (polish || move.rule == Rule::shared_edge || !areasWithin(rim, to, kClearly * kLargeAreaRatio)) {
     was.areaRatio = areaRatioOf(rim, from), is.areaRatio = areaRatioOf(rim, to);
   }
+  if (polish) was.radius = radiusOf(rim, from), is.radius = radiusOf(rim, to);
   double minEdge = 0.0;
   if (is.shortest < was.shortest && is.shortest < state.minEdge * state.minEdge) {
     std::uint8_t finestRank = mesh.density[at(wheel.hub)];
     for (const Spoke& spoke : wheel.spokes) finestRank = std::min(finestRank, mesh.density[at(spoke.rim)]);
     minEdge = shortestAllowed(state, finestRank);
   }
-  trial = judged(move.rule, was, is, minEdge);
+  trial = judged(state, move.rule, was, is, minEdge);
   if (trial.refusal == Refusal::none) place(mesh, wheel, move.to, rim, to);
   return true;
+}
+
+Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room) {
+  const Point from = pointOf(state.mesh, move.vertex);
+  const std::uint32_t firstId = state.mesh.nextId;
+  Trial trial;
+  if (!tryInPlace(state, move, room.wheel, trial)) trial = tryInFull(state, move, room);
+  StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
+  const bool moved = trial.refusal == Refusal::none;
+  ++(moved ? counts.moved : counts.refused);
+  if (moved) ++state.cursor.changes;
+  if (journal.listening()) {
+    Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, move.rule);
+    event.refusal = trial.refusal;
+    event.subject = subject;
+    event.vertex = static_cast<std::uint32_t>(move.vertex);
+    event.at = move.to;
+    event.from = from;
+    event.measured = trial.measured;
+    event.limit = trial.limit;
+    if (state.mesh.nextId > firstId) {
+      event.created = firstId;
+      event.createdCount = state.mesh.nextId - firstId;
+    }
+    journal.record(event);
+  }
+  return Outcome::decided;
 }
 
 }  // namespace triscope

@@ -4,6 +4,7 @@
 #include "core/event.h"
 #include "core/mesh/move.h"
 #include "core/mesh/wheel.h"
+#include "core/stages/stage_runs.h"
 #include "core/state.h"
 
 namespace triscope {
@@ -37,5 +38,15 @@ Trial tryInFull(MeshState& state, const Move& move, TrialRoom& room);
 /// or after, by a margin that rounding cannot bridge. Most trials are such. False, with nothing changed, when it is
 /// not sure; else the answer of tryInFull, to the bit.
 bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Trial& trial);
+
+/// Tries the move, in place or else in full, and records what came of it. `room` holds the star of the vertex, and
+/// `subject` is the triangle that the move is for.
+Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room);
+
+/// Inner vertices are; those of boundaries stay.
+inline bool movable(const Mesh& mesh, std::int32_t vertex) {
+  const auto v = static_cast<std::size_t>(vertex);
+  return mesh.vertexEdge[v] < 0 && mesh.vertexTriangle[v] >= 0;
+}
 
 }  // namespace triscope
