@@ -53,9 +53,11 @@ constexpr std::array kRules = std::to_array<Words>({
     {"step 5", "the neighbour's apex is not nearer to the shared edge's midpoint than e + height"},
     {"boundary split", "the point would have come too near to a boundary edge, so that edge was split"},
     {"repair", "a refusal left a triangle beyond the bounds"},
-    {"Laplacian filter", "moved toward the mean of its neighbours by the factor omega"},
+    {"Laplacian filter", "moved toward the mean of its neighbours as far as many passes by the factor omega would"},
     {"obtuse angle", "the sides of an obtuse angle turned toward each other by theta"},
     {"shared edge", "the edge between unequal triangles moved into the larger one by a tenth of its height"},
+    {"polish",
+     "one of the places around the vertex where the worst of its triangles is less near the worst of the mesh"},
     {"Delaunay flip", "the vertex across the edge lies inside the circumcircle"},
 });
 static_assert(kRules.size() == static_cast<std::size_t>(kRuleCount));

@@ -53,7 +53,8 @@ enum class Rule : std::uint8_t {
   repair,            // our own: clears what a refusal left behind
   laplacian,
   reduce_obtuse,
-  shared_edge,
+  shared_edge,    // section 4
+  polish,         // our own: what is worst in the mesh
   delaunay_flip,  // section 4
 };
 inline constexpr int kRuleCount = static_cast<int>(Rule::delaunay_flip) + 1;

@@ -39,8 +39,9 @@ constexpr std::array kTable{
     SettingInfo{"step4_area_ratio", "", "step 4: area ratio it acts on", "ratio", &Settings::step4AreaRatio, 0.0, 3.0,
                 0.0, 0.0, Stage::step1,
                 "Step 4 leaves a pair alone whose area ratio is below this; 0 takes every pair, as in the paper."},
-    SettingInfo{"omega", "ω", "Laplacian filter", "", &Settings::omega, 0.0, 1.0, 0.05, 0.25, Stage::refine,
-                "Part of the way toward the mean of its neighbours that the Laplacian filter moves a vertex."},
+    SettingInfo{
+        "omega", "ω", "Laplacian filter", "", &Settings::omega, 0.0, 1.0, 0.05, 0.25, Stage::refine,
+        "Part of the way toward the mean of its neighbours that the Laplacian filter moves a vertex, 24 times over."},
     SettingInfo{"theta", "θ", "turn of an obtuse angle's sides", "deg", &Settings::theta, 0.0, 30.0, 5.0, 10.0,
                 Stage::refine, "Both sides of an obtuse angle are rotated toward each other by this angle."},
     SettingInfo{"laplacian", "", "step 6: Laplacian filter", "on/off", &Settings::laplacian, 0.0, 1.0, 0.0, 0.0,
@@ -51,6 +52,9 @@ constexpr std::array kTable{
                 Stage::refine,
                 "Step 6 moves the edge between two unequal triangles by a tenth of the height "
                 "into the larger one."},
+    SettingInfo{"polish", "", "step 6: polish the worst", "on/off", &Settings::polish, 0.0, 1.0, 0.0, 0.0,
+                Stage::refine,
+                "Step 6 ends by trying places around the vertices of the worst and the obtuse triangles."},
     SettingInfo{"refine_passes", "", "budget of passes of step 6", "passes", &Settings::refinePasses, 0.0, 10000.0, 0.0,
                 0.0, Stage::refine, "Step 6 stops after this many passes even if the last one moved a vertex."},
 };
@@ -107,7 +111,9 @@ const SettingInfo* findSetting(std::string_view key) {
   return nullptr;
 }
 
-bool refines(const Settings& settings) { return settings.laplacian || settings.reduceObtuse || settings.sharedEdge; }
+bool refines(const Settings& settings) {
+  return settings.laplacian || settings.reduceObtuse || settings.sharedEdge || settings.polish;
+}
 
 Stage firstAffected(const Settings& a, const Settings& b) {
   Stage first = Stage::finished;

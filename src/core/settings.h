@@ -25,6 +25,7 @@ struct Settings {
   bool laplacian = true;        // step 6, part 1
   bool reduceObtuse = true;     // step 6, part 2
   bool sharedEdge = true;       // step 6, part 3
+  bool polish = true;           // step 6, part 4, our own
   int refinePasses = 30;        // budget of passes of step 6
   friend bool operator==(const Settings&, const Settings&) = default;
 };

@@ -20,7 +20,7 @@ inline MeshState start(const DomainPtr& domain, const Settings& settings = {}) {
 /// Everything but step 6.
 inline Settings withoutStep6() {
   Settings settings;
-  settings.laplacian = settings.reduceObtuse = settings.sharedEdge = false;
+  settings.laplacian = settings.reduceObtuse = settings.sharedEdge = settings.polish = false;
   return settings;
 }
 

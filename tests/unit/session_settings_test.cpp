@@ -147,7 +147,7 @@ TEST(SessionSettings, KnowsTheEntryOfStep6ForAsLongAsItHolds) {
   ASSERT_NE(session.beforeRefinement(), nullptr);
   EXPECT_NE(session.beforeRefinement(), entry);
   // Nothing comes to step 6 where it is switched off.
-  settings.laplacian = settings.reduceObtuse = settings.sharedEdge = false;
+  settings.laplacian = settings.reduceObtuse = settings.sharedEdge = settings.polish = false;
   doNow(session, command::Change{settings});
   EXPECT_EQ(session.beforeRefinement(), nullptr);
 }

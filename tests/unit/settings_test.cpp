@@ -54,6 +54,7 @@ TEST(SettingTable, EveryMemberOfSettingsIsInIt) {
   EXPECT_NE(moved.laplacian, standard.laplacian);
   EXPECT_NE(moved.reduceObtuse, standard.reduceObtuse);
   EXPECT_NE(moved.sharedEdge, standard.sharedEdge);
+  EXPECT_NE(moved.polish, standard.polish);
   EXPECT_NE(moved.refinePasses, standard.refinePasses);
 }
 

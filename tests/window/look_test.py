@@ -292,14 +292,14 @@ class Parameters(harness.WindowTest):
         window = self.window
         start = window.settled()
         window.click("tab.Params")
-        for name in ("laplacian", "reduce_obtuse", "shared_edge"):
+        for name in ("laplacian", "reduce_obtuse", "shared_edge", "polish"):
             before = window.settled()
             self.scroll(5)
             window.click("param." + name)
             after = window.wait(lambda s: s["settings"][name] == 0 and not s["stale"] and s["activity"] == "idle", name)
             self.assertNotEqual(after["hash"], before["hash"])
         self.assertGreater(after["figures"]["obtuse"], start["figures"]["obtuse"])
-        window.key("ctrl+z", "ctrl+z", "ctrl+z")
+        window.key("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+z")
         window.wait(lambda s: s["hash"] == start["hash"], "everything undone")
         self.scroll(4)
         x, y = window.widget("param.omega")

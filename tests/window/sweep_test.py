@@ -214,7 +214,7 @@ class Sweep(harness.WindowTest):
             state = self.sweep(lambda s: not s["running"] and s["done"] == 30)
             self.assertEqual(state["debug"]["bottom"], "Sweep", "it opens by itself")
         window.click("tab.Params")
-        for name in ("laplacian", "reduce_obtuse", "shared_edge"):
+        for name in ("laplacian", "reduce_obtuse", "shared_edge", "polish"):
             window.click("param." + name)
             window.settled()
         window.key(self.keys("run_sweep")[0])

@@ -27,6 +27,7 @@ constexpr std::array kTrials{
     Trial{Rule::laplacian, Stage::refine, "its corners lie on the boundary, or were settled already"},
     Trial{Rule::reduce_obtuse, Stage::refine, "it had no obtuse angle, or none with a side that is free to move"},
     Trial{Rule::shared_edge, Stage::refine, "no neighbour was twice as large, or the shared edge lies on the boundary"},
+    Trial{Rule::polish, Stage::refine, "it was far from the worst of the mesh, and not obtuse"},
 };
 
 /// Proposals of one rule that had the same outcome; `last` is the latest event of them.
@@ -50,9 +51,10 @@ bool isProposal(EventKind kind) {
          kind == EventKind::vertex_removed || isMove(kind);
 }
 
-/// True when the proposal is for the triangle; the Laplacian filter's are for one of its corners.
+/// True when the proposal is for the triangle; those of the Laplacian filter and of polishing are for one of its
+/// corners.
 bool isFor(const Event& e, std::uint32_t triangle, const TriangleFacts& facts) {
-  if (e.rule == Rule::laplacian)
+  if (e.rule == Rule::laplacian || e.rule == Rule::polish)
     return std::find(facts.corners.begin(), facts.corners.end(), e.vertex) != facts.corners.end();
   return (e.kind == EventKind::edge_split ? e.other : e.subject) == triangle;
 }
@@ -122,7 +124,8 @@ std::vector<Line> whyNot(Events events, std::uint32_t triangle, const TriangleFa
   const Events life = facts.death ? events.first(*facts.death + 1) : events;
   const Review review = reviewOf(life, birth.value_or(0), triangle, facts);
   for (std::size_t k = 0; k < kTrials.size(); ++k) {
-    if (kTrials[k].rule == Rule::laplacian && facts.corners[0] == kNoId) continue;
+    const bool byCorner = kTrials[k].rule == Rule::laplacian || kTrials[k].rule == Rule::polish;
+    if (byCorner && facts.corners[0] == kNoId) continue;
     for (const Outcomes& outcome : review.outcomes[k]) {
       answer.say(told(events, outcome.last) +
                  (outcome.count > 1 ? fmt::format(" The last of {} times.", outcome.count) : std::string()));

@@ -49,31 +49,49 @@ bool isObtuse(Point a, Point b, Point c) {
   return dot(b - a, c - a) < 0.0 || dot(a - b, c - b) < 0.0 || dot(a - c, b - c) < 0.0;
 }
 
+namespace {
+
+// `counted(other)`: whether the pair with that neighbour is counted from its other side.
+template <class Counted>
+void add(Badness& badness, const Mesh& mesh, std::int32_t slot, const Counted& counted) {
+  const Measures m = measuresOf(mesh, slot);
+  badness.shortest = std::min(badness.shortest, m.shortest);
+  badness.worst = std::max(badness.worst, aspect(m));
+  badness.edgeRatio = std::max(badness.edgeRatio, m.longest / m.shortest);
+  if (m.longest > m.shortest + m.middle) ++badness.obtuse;
+  const double radius = radiusOverEdge(m);
+  badness.radius = std::max(badness.radius, radius);
+  if (radius >= 1.0 - kBoundMargin) {
+    ++badness.broken;
+    badness.excess += std::min(radius, 1e6);
+  }
+  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+    if (across < 0) continue;
+    const std::int32_t other = triangleOf(across);
+    const double ratio = areaRatio(m.area, twiceArea(mesh, other));
+    badness.areaRatio = std::max(badness.areaRatio, ratio);
+    if (ratio < kAreaRatio || counted(other)) continue;
+    ++badness.broken;
+    badness.excess += std::min(ratio / 3.0, 1e6);
+  }
+}
+
+}  // namespace
+
 Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
   Badness badness;
   for (const std::int32_t slot : slots) {
-    const Measures m = measuresOf(mesh, slot);
-    badness.shortest = std::min(badness.shortest, m.shortest);
-    badness.worst = std::max(badness.worst, aspect(m));
-    badness.edgeRatio = std::max(badness.edgeRatio, m.longest / m.shortest);
-    if (m.longest > m.shortest + m.middle) ++badness.obtuse;
-    const double radius = radiusOverEdge(m);
-    if (radius >= 1.0 - kBoundMargin) {
-      ++badness.broken;
-      badness.excess += std::min(radius, 1e6);
-    }
-    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-      if (across < 0) continue;
-      const std::int32_t other = triangleOf(across);
-      const double ratio = areaRatio(m.area, twiceArea(mesh, other));
-      badness.areaRatio = std::max(badness.areaRatio, ratio);
-      if (ratio < kAreaRatio) continue;
-      // A pair inside the region is seen from both sides: count it from the lower slot.
-      if (other < slot && std::find(slots.begin(), slots.end(), other) != slots.end()) continue;
-      ++badness.broken;
-      badness.excess += std::min(ratio / 3.0, 1e6);
-    }
+    // A pair inside the region is seen from both sides: count it from the lower slot.
+    add(badness, mesh, slot, [&](std::int32_t other) {
+      return other < slot && std::find(slots.begin(), slots.end(), other) != slots.end();
+    });
   }
+  return badness;
+}
+
+Badness badnessOf(const Mesh& mesh, std::int32_t slot) {
+  Badness badness;
+  add(badness, mesh, slot, [](std::int32_t) { return false; });
   return badness;
 }
 

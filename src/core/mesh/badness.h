@@ -17,11 +17,13 @@ struct Badness {
   double worst = 2.0;       // largest aspect ratio R/r
   double areaRatio = 1.0;   // largest, over pairs
   double edgeRatio = 1.0;   // largest, squared
+  double radius = 1.0 / 3;  // largest circumradius over the shortest edge of its triangle, squared
   double shortest = 1e300;  // shortest edge, squared
 };
 
 /// Over the given live slots, and the pairs that at least one of them is in.
 Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots);
+Badness badnessOf(const Mesh& mesh, std::int32_t slot);
 
 /// True when the triangle breaks the bound on angles, or with a neighbour the bound on area ratio.
 bool breaksBound(const Mesh& mesh, std::int32_t slot);

@@ -1,118 +1,26 @@
-// Stage "refine": step 6, the local refinements (paper, section 4, Figure 3). Passes over the mesh move points by the
-// Laplacian filter, turn the sides of obtuse angles together, and move shared edges into the larger triangle; after
-// each move the triangulation is made Delaunay again. Boundary vertices stay.
+// Stage "refine": step 6, the local refinements (paper, section 4, Figure 3). Passes over the mesh turn the sides of
+// obtuse angles together, move shared edges into the larger triangle, and move points by the Laplacian filter; passes
+// after them look only at what is poor, and polish it. After each move the triangulation is made Delaunay again.
+// Boundary vertices stay. The number of passes does not grow with the mesh.
 #include <algorithm>
 #include <array>
 
 #include "core/geometry/predicates.h"
 #include "core/geometry/trig.h"
-#include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
-#include "core/mesh/move.h"
+#include "core/stages/refine_marks.h"
+#include "core/stages/refine_polish.h"
+#include "core/stages/refine_trial.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
 namespace {
 
-enum Part : std::uint32_t { laplacian, obtuse, shared_edge, over };
+enum Part : std::uint32_t { obtuse, shared_edge, laplacian, polish, over };
 
-constexpr double kLargeAreaRatio = 2.0;    // pairs beyond it get their shared edge moved
-constexpr double kLargeAspect = 3.0;       // a shared edge may be moved as long as no aspect ratio grows beyond it
-constexpr double kLargeEdgeRatio = 1.935;  // the paper ends at 1.94: no move goes beyond, or beyond what was
-constexpr double kSharedEdgeStep = 0.1;    // of the height h of the larger triangle
-// Bits of Mesh::tested, cleared whenever a triangle or a neighbour changes.
-constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
-constexpr std::uint8_t kUnchanged = 128;  // since this pass began
-constexpr int kWholePasses = 6;           // the filter works everywhere in these, and near obtuse triangles in the rest
-constexpr int kPatience = 3;              // passes without fewer obtuse triangles before the stage ends
-
-thread_local MoveLog moveLog;
-thread_local Star star;
-thread_local std::vector<std::int32_t> before;
-
-bool movable(const Mesh& mesh, std::int32_t vertex) {
-  return mesh.vertexEdge[at(vertex)] < 0 && mesh.vertexTriangle[at(vertex)] >= 0;
-}
-
-// Why the region after a move is worse than before; none when it is not. Each part of the step answers for the measure
-// it is there to improve, and may not spoil the others beyond what is large.
-Refusal judge(Rule rule, const Badness& was, const Badness& is, double minEdge) {
-  if (is.broken > was.broken || is.excess > was.excess) return Refusal::bound_broken;
-  if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
-  if (is.obtuse > was.obtuse) return Refusal::star_worse;
-  if (is.areaRatio > std::max(was.areaRatio, kLargeAreaRatio)) return Refusal::star_worse;
-  if (is.edgeRatio > std::max(was.edgeRatio, kLargeEdgeRatio * kLargeEdgeRatio)) return Refusal::star_worse;
-  if (is.obtuse < was.obtuse) return Refusal::none;
-  const bool worse = rule == Rule::shared_edge
-                         ? is.areaRatio >= was.areaRatio || is.worst > std::max(was.worst, kLargeAspect)
-                         : is.worst > was.worst;
-  return worse ? Refusal::star_worse : Refusal::none;
-}
-
-struct Trial {
-  Refusal refusal = Refusal::none;
-  double measured = 0.0;  // worst aspect ratio after, and before
-  double limit = 0.0;
-};
-
-// Moves the vertex when the region it changes is no worse for it.
-Trial tryMove(MeshState& state, Rule rule, std::int32_t vertex, Point to) {
-  Mesh& mesh = state.mesh;
-  starOf(mesh, vertex, star);
-  before.clear();
-  std::uint8_t finestRank = mesh.density[at(vertex)];
-  for (const std::int32_t rim : star.rim) {
-    before.push_back(triangleOf(rim));
-    finestRank = std::min(finestRank, mesh.density[at(startOf(mesh, rim))]);
-  }
-  Badness was = badnessOf(mesh, before);
-  if (!moveVertex(mesh, vertex, to, moveLog)) return {Refusal::inverts_triangle, 0.0, 0.0};
-  const Badness is = badnessOf(mesh, moveLog.slots);
-  const bool flipped = moveLog.flips > 0;
-  if (flipped) {  // the region has grown by the triangles flipped: look at all of it as it was
-    undoMove(mesh, moveLog);
-    was = badnessOf(mesh, moveLog.slots);
-  }
-  // Δx, or less where kept input edges made the density finer than that.
-  const double finest = std::min(state.minEdge, state.tree.minEdge * rankLength(finestRank));
-  const Refusal refusal = judge(rule, was, is, finest);
-  if (refusal == Refusal::none && flipped) moveVertex(mesh, vertex, to, moveLog);
-  if (refusal != Refusal::none && !flipped) undoMove(mesh, moveLog);
-  const bool byEdge = refusal == Refusal::edge_below_minimum;
-  return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? finest : was.worst};
-}
-
-Outcome decideMove(MeshState& state, Journal& journal, Rule rule, std::uint32_t subject, std::int32_t vertex,
-                   Point to) {
-  const Point from = pointOf(state.mesh, vertex);
-  const std::uint32_t firstId = state.mesh.nextId;
-  const Trial trial = tryMove(state, rule, vertex, to);
-  StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
-  const bool moved = trial.refusal == Refusal::none;
-  ++(moved ? counts.moved : counts.refused);
-  if (moved) ++state.cursor.changes;
-  if (journal.listening()) {
-    Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, rule);
-    event.refusal = trial.refusal;
-    event.subject = subject;
-    event.vertex = static_cast<std::uint32_t>(vertex);
-    event.at = to;
-    event.from = from;
-    event.measured = trial.measured;
-    event.limit = trial.limit;
-    if (state.mesh.nextId > firstId) {
-      event.created = firstId;
-      event.createdCount = state.mesh.nextId - firstId;
-    }
-    journal.record(event);
-  }
-  return Outcome::decided;
-}
-
-bool settled(const Mesh& mesh) {
-  return std::all_of(star.rim.begin(), star.rim.end(),
-                     [&](std::int32_t rim) { return (mesh.tested[at(triangleOf(rim))] & kSettled) != 0; });
-}
+constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
+constexpr int kWholePasses = 1;          // over the whole mesh; those after them only near what is poor
+constexpr int kPoorPasses = 7;
 
 // Corner with an angle above 90°, or -1.
 int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
@@ -126,26 +34,24 @@ int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
   return -1;
 }
 
-// True when a triangle around the vertex of `star`, or one beside those, is obtuse.
-bool nearObtuse(const Mesh& mesh) {
-  for (const std::int32_t rim : star.rim) {
-    if (obtuseCorner(mesh, triangleOf(rim)) >= 0) return true;
-    const std::int32_t across = oppositeOf(mesh, rim);
-    if (across >= 0 && obtuseCorner(mesh, triangleOf(across)) >= 0) return true;
-  }
-  return false;
+// One pass goes as far as 24 by ω would, with the neighbours at rest: 1 - (1 - ω)^24 of the way.
+double filterPart(double omega) {
+  double left = 1.0 - omega;
+  left = left * left * left;
+  for (int k = 0; k < 3; ++k) left = left * left;
+  return 1.0 - left;
 }
 
-// p0 + ω (Σ (pi - p0)) / n
-bool filtered(const Mesh& mesh, std::int32_t vertex, double omega, int pass, Point& to) {
-  if (!movable(mesh, vertex)) return false;
-  starOf(mesh, vertex, star);
-  if (!star.closed || settled(mesh)) return false;
-  if (pass > kWholePasses && !nearObtuse(mesh)) return false;
+// p0 + part · (Σ (pi - p0)) / n
+bool filtered(const MeshState& state, std::int32_t vertex, Wheel& wheel, Point& to) {
+  const Mesh& mesh = state.mesh;
+  if (!movable(mesh, vertex) || !gather(mesh, vertex, wheel)) return false;
+  const auto isSettled = [&](const Spoke& spoke) { return settled(mesh, spoke.slot); };
+  if (std::all_of(wheel.spokes.begin(), wheel.spokes.end(), isSettled)) return false;
   const Point p = pointOf(mesh, vertex);
   Point sum;
-  for (const std::int32_t rim : star.rim) sum = sum + (pointOf(mesh, startOf(mesh, rim)) - p);
-  to = p + (omega / static_cast<double>(star.rim.size())) * sum;
+  for (const Spoke& spoke : wheel.spokes) sum = sum + (spoke.at - p);
+  to = p + (filterPart(state.settings.omega) / static_cast<double>(wheel.spokes.size())) * sum;
   return true;
 }
 
@@ -180,13 +86,17 @@ constexpr std::array<double, 3> kTurns = {1.0, 0.5, 2.0};
 constexpr std::uint64_t kTries = 3 * kTurns.size();
 
 // index = 9·slot + try.
-Outcome runObtuse(MeshState& state, Journal& journal) {
+Outcome runObtuse(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
   for (; cursor.index < kTries * mesh.triangles.size(); ++cursor.index) {
-    const auto slot = static_cast<std::int32_t>(cursor.index / kTries);
-    const int corner = !mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0 ? -1 : obtuseCorner(mesh, slot);
+    const std::size_t open = nextOpen(mesh, cursor.index / kTries, kAcute);
+    if (open != cursor.index / kTries) cursor.index = kTries * open;
+    if (open == mesh.triangles.size()) break;
+    const auto slot = static_cast<std::int32_t>(open);
+    const int corner = obtuseCorner(mesh, slot);
     if (corner < 0) {
+      mesh.tested[open] |= kAcute;
       cursor.index += kTries - 1 - cursor.index % kTries;  // on to the next triangle
       continue;
     }
@@ -197,87 +107,120 @@ Outcome runObtuse(MeshState& state, Journal& journal) {
     const std::uint64_t which = cursor.index % 3;
     const double theta = kTurns[cursor.index % kTries / 3] * state.settings.theta * trig::kDegree;
     const std::int32_t moved = which == 0 ? p1 : which == 1 ? p3 : p2;
-    if (!movable(mesh, moved)) continue;
+    if (!movable(mesh, moved) || !gather(mesh, moved, room.wheel)) continue;
     const Point about = pointOf(mesh, p2);
     const Point to = which == 2 ? apexRaised(pointOf(mesh, p1), about, pointOf(mesh, p3), theta)
                                 : turned(pointOf(mesh, moved), about, trig::sinCos(which == 0 ? theta : -theta));
     ++cursor.index;
-    return decideMove(state, journal, Rule::reduce_obtuse, idOf(mesh, slot), moved, to);
+    return decideMove(state, journal, {Rule::reduce_obtuse, moved, to}, idOf(mesh, slot), room);
   }
   return Outcome::done;
 }
 
-Outcome runSharedEdge(MeshState& state, Journal& journal) {
+// index = 2·slot + end of the edge.
+Outcome runSharedEdge(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
   for (; cursor.index < 2 * mesh.triangles.size(); ++cursor.index) {
-    const auto slot = static_cast<std::int32_t>(cursor.index / 2);
-    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & kSettled) != 0) continue;
+    const std::size_t open = nextOpen(mesh, cursor.index / 2, kEven);
+    if (open != cursor.index / 2) cursor.index = 2 * open;
+    if (open == mesh.triangles.size()) break;
+    const auto slot = static_cast<std::int32_t>(open);
     const int edge = largeNeighbour(mesh, slot);
-    if (edge < 0) continue;
+    if (edge < 0) {
+      mesh.tested[open] |= kEven;
+      continue;
+    }
     const std::int32_t half = 3 * slot + edge;
     const std::int32_t moved = cursor.index % 2 == 1 ? endOf(mesh, half) : startOf(mesh, half);
-    if (!movable(mesh, moved)) continue;
+    if (!movable(mesh, moved) || !gather(mesh, moved, room.wheel)) continue;
     const Point along = pointOf(mesh, endOf(mesh, half)) - pointOf(mesh, startOf(mesh, half));
     const double height = twiceArea(mesh, triangleOf(oppositeOf(mesh, half))) / length(along);
     const Point into = (-kSharedEdgeStep * height / length(along)) * perpendicular(along);
     ++cursor.index;
-    return decideMove(state, journal, Rule::shared_edge, idOf(mesh, slot), moved, pointOf(mesh, moved) + into);
+    const Move move{Rule::shared_edge, moved, pointOf(mesh, moved) + into};
+    return decideMove(state, journal, move, idOf(mesh, slot), room);
   }
   return Outcome::done;
 }
 
-Outcome runLaplacian(MeshState& state, Journal& journal) {
+Outcome runLaplacian(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   while (cursor.index < state.mesh.points.size()) {
     const auto vertex = static_cast<std::int32_t>(cursor.index++);
     Point to;
-    if (!filtered(state.mesh, vertex, state.settings.omega, state.round, to)) continue;
-    return decideMove(state, journal, Rule::laplacian, kNoId, vertex, to);
+    if (!filtered(state, vertex, room.wheel, to)) continue;
+    return decideMove(state, journal, {Rule::laplacian, vertex, to}, kNoId, room);
   }
   return Outcome::done;
 }
 
-// Between passes: what the pass left unchanged is settled. Returns the number of obtuse triangles.
-std::int32_t settle(Mesh& mesh) {
-  std::int32_t count = 0;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    if ((mesh.flags[slot] & kDead) != 0) continue;
-    std::uint8_t& tested = mesh.tested[slot];
-    if ((tested & kUnchanged) != 0) tested |= kSettled;
-    tested |= kUnchanged;
-    if (obtuseCorner(mesh, static_cast<std::int32_t>(slot)) >= 0) ++count;
+// The next decision of the part of the pass that is at hand.
+Outcome runPart(MeshState& state, Journal& journal, TrialRoom& room) {
+  const Settings& settings = state.settings;
+  const bool whole = state.round <= kWholePasses;
+  switch (static_cast<Part>(state.cursor.phase)) {
+    case obtuse:
+      return settings.reduceObtuse ? runObtuse(state, journal, room) : Outcome::done;
+    case shared_edge:
+      return settings.sharedEdge ? runSharedEdge(state, journal, room) : Outcome::done;
+    case laplacian:
+      return settings.laplacian && whole ? runLaplacian(state, journal, room) : Outcome::done;
+    case polish:
+      return settings.polish && !whole ? runPolish(state, journal, room) : Outcome::done;
+    case over:
+      break;
   }
-  return count;
+  return Outcome::done;
+}
+
+// Between passes: what the pass left unchanged is settled. False when that is all.
+bool settle(MeshState& state) {
+  Mesh& mesh = state.mesh;
+  bool changed = false;
+  for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot) {
+    std::uint8_t& tested = mesh.tested[slot];
+    if ((tested & kSettled) != 0) continue;
+    if ((tested & kUnchanged) != 0) {
+      tested |= kSettled;
+    } else {
+      tested |= kUnchanged;
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+// What the rules before this step remember of triangles says nothing about its own.
+void forgetTests(Mesh& mesh) {
+  for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot)
+    if ((mesh.flags[slot] & kDead) == 0) mesh.tested[slot] = kUnchanged;
 }
 
 }  // namespace
 
 Outcome runRefine(MeshState& state, Journal& journal) {
-  // round: the pass, from 1; phase: part of the pass; worklist: fewest obtuse so far, passes since.
+  // round: the pass, from 1; phase: part of the pass; the rest is its own business.
+  thread_local TrialRoom room;
   Cursor& cursor = state.cursor;
-  const Settings& settings = state.settings;
   if (!cursor.begun) {
     cursor.begun = true;
     state.round = 1;
-    cursor.worklist = {settle(state.mesh), 0};
+    forgetTests(state.mesh);
   }
-  for (;;) {
-    Outcome outcome = Outcome::done;
-    if (cursor.phase == laplacian && settings.laplacian) outcome = runLaplacian(state, journal);
-    if (cursor.phase == obtuse && settings.reduceObtuse) outcome = runObtuse(state, journal);
-    if (cursor.phase == shared_edge && settings.sharedEdge) outcome = runSharedEdge(state, journal);
-    if (cursor.phase == over) return Outcome::done;
+  while (cursor.phase != over) {
+    const Outcome outcome = runPart(state, journal, room);
     if (outcome != Outcome::done) return outcome;
     cursor.index = 0;
     if (++cursor.phase != over) continue;
-    const std::int32_t left = settle(state.mesh);
-    cursor.worklist[1] = left < cursor.worklist[0] ? 0 : cursor.worklist[1] + 1;
-    cursor.worklist[0] = std::min(left, cursor.worklist[0]);
-    if (left == 0 || cursor.worklist[1] >= kPatience || state.round >= settings.refinePasses) return Outcome::done;
+    const bool changed = settle(state);
+    if (state.round == kWholePasses) beginPolish(state);
+    const bool last = state.round >= std::min(state.settings.refinePasses, kWholePasses + kPoorPasses);
+    if (last || (!changed && state.round > kWholePasses)) break;
     ++state.round;
-    cursor.phase = laplacian;
+    cursor.phase = obtuse;
   }
+  return Outcome::done;
 }
 
 }  // namespace triscope
