@@ -215,28 +215,6 @@ TEST(Cavity, MayHaveVeryManyTriangles) {
   support::expectValid(mesh);
 }
 
-// Around a hole that holds the point, every circle holds it too: the cavity comes to an end all the same.
-TEST(Cavity, AroundAHoleEntersNoTriangleTwice) {
-  std::vector<Point> points;
-  std::vector<std::array<int, 3>> triangles;
-  for (const double r : {0.1, 1.0})
-    for (const Point p : {Point{r, 0}, Point{0, r}, Point{-r, 0}, Point{0, -r}}) points.push_back(p);
-  for (int k = 0; k < 4; ++k) {
-    const int next = (k + 1) % 4;
-    triangles.push_back({k, 4 + k, 4 + next});
-    triangles.push_back({k, 4 + next, next});
-  }
-  Mesh mesh = support::meshOf(points, triangles);
-  const Mesh before = mesh;
-  Cavity cavity;
-  findCavity(mesh, {0, 0}, 0, cavity);
-  EXPECT_EQ(support::difference(mesh, before), "");
-  std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
-  std::ranges::sort(found);
-  EXPECT_EQ(found, reached(mesh, {0, 0}, 0));
-  EXPECT_EQ(found.size(), 8u);
-}
-
 TEST(Cavity, DoesNotReachThroughABoundaryEdge) {
   // A vertical wall of boundary edges through the middle of a grid.
   std::vector<Point> points;

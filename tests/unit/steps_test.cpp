@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "core/geometry/circumcircle.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
