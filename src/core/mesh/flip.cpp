@@ -67,8 +67,9 @@ bool flipWanted(const Mesh& mesh, std::int32_t half) {
                   pointOf(mesh, apexOf(mesh, other))) > 0;
 }
 
-void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done) {
-  while (!suspects.empty()) {
+void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done, std::size_t most) {
+  const std::size_t before = done.size();
+  while (!suspects.empty() && done.size() - before < most) {
     const std::int32_t half = suspects.back();
     suspects.pop_back();
     if (!flipWanted(mesh, half)) continue;

@@ -7,6 +7,8 @@
 namespace triscope {
 namespace {
 
+constexpr int kByOne = 64;  // tries to place a curve's points with one edge less each time
+
 struct Sample {
   double t;
   double integral;  // ∫ ds / h from the curve's start
@@ -61,7 +63,15 @@ void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   integrate(state, curve, samples);
   int n = std::max(fewest, static_cast<int>(std::floor(samples.back().integral + 0.5)));
   place(samples, n, params);
-  while (n > fewest && shortestChord(curve, params) < state.minEdge * (1.0 - 1e-9)) place(samples, --n, params);
+  // One edge less, and so on until none is too short; after many tries by what is missing, or a long curve would be
+  // placed as often as it has edges.
+  for (int tries = 0; n > fewest; ++tries) {
+    const double shortest = shortestChord(curve, params);
+    if (shortest >= state.minEdge * (1.0 - 1e-9)) break;
+    const int fewer = tries < kByOne ? n - 1 : std::min(n - 1, static_cast<int>(n * (shortest / state.minEdge)));
+    n = std::max(fewest, fewer);
+    place(samples, n, params);
+  }
   for (std::size_t k = 0; k < params.size(); ++k) {
     const bool end = k == 0 || k + 1 == params.size();
     const Point at = k == 0 ? curve.a : k + 1 == params.size() ? curve.b : pointAt(curve, params[k]);

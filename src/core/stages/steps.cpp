@@ -1,8 +1,11 @@
 // Stages "step1" … "step5" (paper, section 3.1): triangles are looked at until the rule proposes no further point.
 // New triangles are looked at next, so that insertions stay close to the last one.
+#include <algorithm>
+
 #include "core/mesh/edit.h"
 #include "core/mesh/tested.h"
 #include "core/stages/insertion_rules.h"
+#include "core/stages/limits.h"
 #include "core/stages/place.h"
 #include "core/stages/stage_runs.h"
 
@@ -35,6 +38,17 @@ void passOver(MeshState& state, std::int32_t slot, const Shape& shape) {
 void queueStar(MeshState& state, std::int32_t vertex) {
   starOf(state.mesh, vertex, star);
   for (const std::int32_t rim : star.rim) state.cursor.worklist.push_back(triangleOf(rim));
+}
+
+Attempt insert(MeshState& state, std::int32_t slot, const Proposal& proposal) {
+  if (state.mesh.points.size() < mostVertices(state)) {
+    const double nearest = std::max(proposal.nearest, shortestMade(state));
+    return place(state.mesh, state.tree, proposal.at, slot, VertexKind::steiner, {nearest, -0.5});
+  }
+  state.cursor.worklist.clear();  // the rest of the stage is left undone
+  Attempt attempt;
+  attempt.refusal = Refusal::budget_spent;
+  return attempt;
 }
 
 void record(const MeshState& state, Journal& journal, std::uint32_t subject, const Proposal& proposal,
@@ -74,7 +88,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
-    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, {proposal.nearest, -0.5});
+    const Attempt attempt = insert(state, slot, proposal);
     record(state, journal, subject, proposal, other, attempt);
     if (attempt.vertex < 0) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;
