@@ -48,6 +48,7 @@ TEST(Limits, HubsAreMeshedAtOnce) {
       const auto count = [&](Stage stage) { return state.counts[static_cast<std::size_t>(stage)]; };
       EXPECT_LT(count(Stage::recovery).inserted, mostSplits(state) / 4);
       EXPECT_LT(state.mesh.points.size(), mostVertices(state) / 4);
+      EXPECT_LT(count(Stage::repair).decisions, mostRepairs(state));
     }
   }
 }
@@ -130,6 +131,19 @@ TEST(Limits, StepsLeaveTheRestUndone) {
   EXPECT_EQ(spent->kind, EventKind::vertex_refused);
   EXPECT_EQ(spent->stage, Stage::step1);
   support::expectValid(state.mesh);
+}
+
+TEST(Limits, RepairLeavesTheRestAsItIs) {
+  std::vector<Event> events;
+  MeshState state = before(support::kNotched, Stage::repair, &events);
+  StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::repair)];
+  counts.decisions = mostRepairs(state);
+  const auto triangles = support::trianglesOf(state.mesh);
+  Journal journal{&events};
+  advance(state, Grain::stage, journal);
+  EXPECT_NE(state.stage, Stage::repair);
+  EXPECT_EQ(std::ranges::count(events, Refusal::budget_spent, &Event::refusal), 1);
+  EXPECT_EQ(support::trianglesOf(state.mesh), triangles);
 }
 
 }  // namespace

@@ -25,4 +25,6 @@ std::size_t mostVertices(const MeshState& state) {
   return kAtLeast + kTimesForeseen * static_cast<std::size_t>(foreseen);
 }
 
+std::uint64_t mostRepairs(const MeshState& state) { return kAtLeast + state.mesh.liveCount(); }
+
 }  // namespace triscope

@@ -23,4 +23,7 @@ std::uint64_t mostSplits(const MeshState& state);
 /// as boundary points, and 1000. Meshes have half as many vertices as triangles.
 std::size_t mostVertices(const MeshState& state);
 
+/// Decisions of repair in all rounds together: one for each triangle, and 1000.
+std::uint64_t mostRepairs(const MeshState& state);
+
 }  // namespace triscope
