@@ -23,6 +23,11 @@ void appendStar(const Mesh& mesh, std::int32_t vertex, std::vector<std::int32_t>
   for (const std::int32_t rim : star.rim) slots.push_back(triangleOf(rim));
 }
 
+void setFillsGap(Mesh& mesh, std::int32_t slot, bool on) {
+  std::uint8_t& flags = mesh.flags[at(slot)];
+  flags = static_cast<std::uint8_t>(on ? flags | kFillsGap : flags & ~kFillsGap);
+}
+
 void record(const MeshState& state, Journal& journal, const Remedy& remedy, std::uint32_t subject, Point from,
             const Attempt& attempt) {
   if (!journal.listening()) return;
@@ -101,7 +106,7 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     }
     ++cursor.index;
     bool inserted = false;
-    thread_local std::vector<std::int32_t> gaps;
+    thread_local std::vector<std::int32_t> gaps, moved;
     gaps.clear();
     const std::uint32_t firstId = mesh.nextId;
     for (const Remedy& remedy : treatment) {
@@ -111,13 +116,18 @@ Outcome runRepair(MeshState& state, Journal& journal) {
       const std::int32_t start = mesh.alive(slot) ? slot : mesh.lastTriangle;
       const Attempt attempt = applyRemedy(mesh, state, remedy, start, floor);
       record(state, journal, remedy, subject, from, attempt);
-      if (remedy.edit == Edit::move) ++counts.moved;
+      if (remedy.edit == Edit::move) {
+        ++counts.moved;
+        moved.clear();
+        appendStar(mesh, remedy.index, moved);
+        for (const std::int32_t other : moved) setFillsGap(mesh, other, false);  // its shape is another now
+      }
       if (remedy.edit == Edit::remove) ++counts.removed;
       inserted = inserted || remedy.edit == Edit::insert || remedy.edit == Edit::split;
     }
     // The steps would put back what was taken out, round after round: they pass over what fills its place.
     for (const std::int32_t gap : gaps) {
-      if (mesh.alive(gap) && idOf(mesh, gap) >= firstId) mesh.tested[at(gap)] |= kTestedSteps;
+      if (mesh.alive(gap) && idOf(mesh, gap) >= firstId) setFillsGap(mesh, gap, true);
     }
     if (inserted) return Outcome::inserted;
     ++cursor.changes;

@@ -78,7 +78,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
   while (!cursor.worklist.empty()) {
     const std::int32_t slot = cursor.worklist.back();
     cursor.worklist.pop_back();
-    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & bit) != 0) continue;
+    if ((mesh.flags[at(slot)] & (kDead | kFillsGap)) != 0 || (mesh.tested[at(slot)] & bit) != 0) continue;
     mesh.tested[at(slot)] |= bit;
     const Shape shape = shapeOf(mesh, slot);
     Proposal proposal;
