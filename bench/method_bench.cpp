@@ -1,86 +1,21 @@
 // The whole method and each of its stages against the number of points.
-#include <benchmark/benchmark.h>
-
 #include <sys/resource.h>
-
-#include <array>
-#include <ctime>
-#include <stdexcept>
-#include <string>
 
 #include "core/domain/read.h"
 #include "core/history/event_log.h"
 #include "core/history/history.h"
-#include "core/pipeline.h"
 #include "core/run_record.h"
 #include "ring.h"
+#include "timed_run.h"
 
 namespace triscope::bench {
 namespace {
-
-/// Seconds of processor time: unlike those on the wall, they do not count what other work takes.
-double processorSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-struct Run {
-  std::array<double, kStageCount> seconds{};  // per stage, all rounds together
-  double total = 0.0;
-  std::size_t vertices = 0;
-  std::size_t triangles = 0;
-};
-
-MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settings& settings) {
-  Result<MeshState> state = begin(domain, settings);
-  if (!state.ok()) throw std::runtime_error(describe(state.error()));
-  return std::move(*state);
-}
-
-/// Steps 1-5 and the repair after them to their end, each stage timed.
-Run runRounds(const std::shared_ptr<const Domain>& domain, Journal& journal) {
-  Run run;
-  const double start = processorSeconds();
-  MeshState state = beginOrThrow(domain, Settings{});
-  double before = processorSeconds();
-  while (state.stage < Stage::refine) {
-    const Stage stage = state.stage;
-    advance(state, Grain::stage, journal);
-    const double after = processorSeconds();
-    run.seconds[static_cast<std::size_t>(stage)] += after - before;
-    before = after;
-  }
-  if (state.failed) throw std::runtime_error("the method could not go on");
-  run.total = before - start;
-  for (const std::int32_t triangle : state.mesh.vertexTriangle) run.vertices += triangle >= 0 ? 1 : 0;
-  run.triangles = state.mesh.liveCount();
-  return run;
-}
-
-/// Repeats a run and reports the fastest, as the one least disturbed by other work: its seconds, and its size.
-template <class MakeRun>
-Run fastest(benchmark::State& bench, MakeRun makeRun) {
-  Run best;
-  for (auto _ : bench) {
-    const Run run = makeRun();
-    bench.SetIterationTime(run.total);
-    if (best.triangles == 0 || run.total < best.total) best = run;
-  }
-  bench.counters["seconds"] = best.total;
-  bench.counters["vertices"] = static_cast<double>(best.vertices);
-  bench.counters["triangles"] = static_cast<double>(best.triangles);
-  return best;
-}
 
 /// Argument: vertices wanted. Counters: the seconds of each stage, by its key.
 void ringStages(benchmark::State& bench) {
   const auto domain = ring(minEdgeFor(static_cast<double>(bench.range(0))));
   Journal nobody;
-  const Run best = fastest(bench, [&] { return runRounds(domain, nobody); });
-  for (const StageInfo& info : stages())
-    if (info.id < Stage::refine)
-      bench.counters[std::string(info.key)] = best.seconds[static_cast<std::size_t>(info.id)];
+  countStages(bench, fastest(bench, [&] { return runThrough(domain, Stage::refine, nobody); }));
 }
 BENCHMARK(ringStages)
     ->Arg(1000)
@@ -104,7 +39,7 @@ void ringJournal(benchmark::State& bench) {
   if (bench.range(0) != 0) journal.events = &events;
   fastest(bench, [&] {
     events = {};
-    return runRounds(domain, journal);
+    return runThrough(domain, Stage::repair, journal);
   });
   bench.counters["events"] = static_cast<double>(events.size());
 }
@@ -118,7 +53,7 @@ void threeElementAirfoil(benchmark::State& bench) {
     Result<Domain> read = readDomain(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
     if (!read.ok()) throw std::runtime_error(describe(read.error()));
     const double reading = processorSeconds() - start;
-    Run run = runRounds(std::make_shared<const Domain>(std::move(*read)), nobody);
+    Run run = runThrough(std::make_shared<const Domain>(std::move(*read)), Stage::repair, nobody);
     run.total += reading;
     return run;
   });
@@ -128,9 +63,7 @@ BENCHMARK(threeElementAirfoil)->UseManualTime()->MinTime(3.0)->Unit(benchmark::k
 /// What the window adds to a run, all stages: argument 0 nothing, 1 every event, 2 the recorder and keyframes as well,
 /// one decision at a time.
 void airfoilHistory(benchmark::State& bench) {
-  Result<Domain> read = readDomain(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
-  if (!read.ok()) throw std::runtime_error(describe(read.error()));
-  const auto domain = std::make_shared<const Domain>(std::move(*read));
+  const auto domain = domainAt(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
   std::vector<Event> all;
   EventLog log;
   std::vector<Event> beat;
@@ -190,10 +123,26 @@ void ringMemory(benchmark::State& bench) {
   const auto domain = ring(minEdgeFor(static_cast<double>(bench.range(0))));
   Journal nobody;
   const std::int64_t before = peakBytes();
-  const Run run = fastest(bench, [&] { return runRounds(domain, nobody); });
+  const Run run = fastest(bench, [&] { return runThrough(domain, Stage::repair, nobody); });
   bench.counters["bytes_per_triangle"] = static_cast<double>(peakBytes() - before) / static_cast<double>(run.triangles);
 }
 BENCHMARK(ringMemory)->Arg(500000)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+
+/// A domain of the tests through all stages. Counters as in ringStages.
+void realDomain(benchmark::State& bench, const char* name) {
+  const auto domain = domainAt(std::string(TRISCOPE_SOURCE_DIR "/tests/data/domains/") + name + ".json");
+  Journal nobody;
+  countStages(bench, fastest(bench, [&] { return runThrough(domain, Stage::refine, nobody); }));
+}
+BENCHMARK_CAPTURE(realDomain, koch5, "koch5")->UseManualTime()->MinTime(2.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(realDomain, perforated_plate, "perforated_plate")
+    ->UseManualTime()
+    ->MinTime(2.0)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(realDomain, great_britain, "great_britain")
+    ->UseManualTime()
+    ->MinTime(2.0)
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace triscope::bench

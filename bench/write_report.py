@@ -16,10 +16,11 @@ GROUPS = [
     ("step 1", ["step1"]),
     ("steps 2-5", ["step2", "step3", "step4", "step5"]),
     ("repair", ["repair"]),
+    ("step 6", ["refine"]),
 ]
 # Okabe-Ito, with a marker each so that colour is never the only sign.
 STYLES = [("#0072B2", "circle"), ("#E69F00", "square"), ("#009E73", "diamond"), ("#CC79A7", "up"), ("#D55E00", "down"),
-          ("#56B4E9", "ring"), ("#000000", "plus")]
+          ("#56B4E9", "ring"), ("#F0E442", "square"), ("#000000", "plus")]
 
 
 def load(folder, name):
@@ -134,7 +135,46 @@ def near(rows, triangles):
     return min(rows, key=lambda row: abs(math.log(row[1] / triangles)))
 
 
-def report(stages, journal, airfoil, history, memory, predicates):
+def real_name(entry):
+    return entry["name"].split("/")[1]
+
+
+def near_entry(stages, triangles):
+    return min(stages["benchmarks"], key=lambda entry: abs(math.log(entry["triangles"] / triangles)))
+
+
+def stage_table(entries, head, name_of):
+    """Lines of a table of the seconds of each group."""
+    lines = [f"| {head} | triangles | " + " | ".join(f"{name}, ms" for name, _ in GROUPS) + " | whole, ms |",
+             "|---|" + "---:|" * (len(GROUPS) + 2)]
+    for entry in entries:
+        cells = [name_of(entry), f"{entry['triangles']:,.0f}",
+                 *(f"{1000 * seconds(entry, keys):,.1f}" for _, keys in GROUPS), f"{1000 * entry['seconds']:,.0f}"]
+        lines.append("| " + " | ".join(cells) + " |")
+    return lines
+
+
+def miss_table(entries, head, name_of):
+    """Lines of a table of the cache misses of each group, where they are counted."""
+    if not all(f"{key}_misses" in entry for entry in entries for _, keys in GROUPS for key in keys):
+        return ["Misses of the last-level cache: not counted here (the machine or its settings do not)."]
+    lines = ["Misses of the last-level cache, for each triangle:", "",
+             f"| {head} | " + " | ".join(name for name, _ in GROUPS) + " |", "|---|" + "---:|" * len(GROUPS)]
+    for entry in entries:
+        cells = [sum(entry[f"{key}_misses"] for key in keys) / entry["triangles"] for _, keys in GROUPS]
+        lines.append(f"| {name_of(entry)} | " + " | ".join(f"{cell:.2f}" for cell in cells) + " |")
+    return lines
+
+
+def process_table(processes):
+    lines = ["| domain | triangles | mesh, s | µs/triangle | peak, MiB | check, s |", "|---|" + "---:|" * 5]
+    for row in processes:
+        lines.append(f"| {row['name']} | {row['triangles']:,} | {row['seconds']:.2f} | "
+                     f"{1e6 * row['seconds'] / row['triangles']:.2f} | {row['peak_bytes'] / 2**20:.0f} | {row['check']:.2f} |")
+    return lines
+
+
+def report(stages, journal, airfoil, domains, history, memory, predicates, processes):
     rows = rows_of(stages)
     context = stages["context"]
     lines = [
@@ -147,7 +187,7 @@ def report(stages, journal, airfoil, history, memory, predicates):
         "## Time against points",
         "",
         "The domain is a graded ring: a disc of radius 1 as the hole of a square of side 16, edges of Δx on the disc and",
-        "growing away from it. Steps 1-5 to their end and the repair after them, without step 6.",
+        "growing away from it. All stages, step 6 too.",
         "",
         "![Time of each stage against the number of points](figures/linear.svg)",
         "",
@@ -166,6 +206,21 @@ def report(stages, journal, airfoil, history, memory, predicates):
         "The last line fits time ~ points^exponent from 10,000 points on; 1 is linear, as Theorem 3 of the paper says.",
         f"A triangle of {large[1]:,.0f} costs {rate(small) / rate(large):.2f} times one of {small[1]:,.0f}: the small mesh",
         "fits into the processor's cache, the large one does not.",
+        "",
+        *miss_table([near_entry(stages, 3e4), near_entry(stages, 1e6)], "points", lambda e: f"{e['vertices']:,.0f}"),
+        "",
+        "## Real domains",
+        "",
+        *stage_table(domains["benchmarks"], "domain", real_name),
+        "",
+        *miss_table(domains["benchmarks"], "domain", real_name),
+        "",
+        "## Whole processes",
+        "",
+        "`triscope mesh DOMAIN -o x.msh --report r.json` from its start to the files written, and `triscope check x.msh`:",
+        "processor time, user and system.",
+        "",
+        *process_table(processes),
         "",
         "## Other figures",
         "",
@@ -195,7 +250,7 @@ def report(stages, journal, airfoil, history, memory, predicates):
 
 def main():
     folder, docs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    page, figure = report(*(load(folder, name) for name in ("stages", "journal", "airfoil", "history", "memory", "predicates")))
+    page, figure = report(*(load(folder, name) for name in ("stages", "journal", "airfoil", "domains", "history", "memory", "predicates", "processes")))
     (docs / "figures").mkdir(parents=True, exist_ok=True)
     (docs / "benchmarks.md").write_text(page, encoding="utf-8")
     (docs / "figures" / "linear.svg").write_text(figure, encoding="utf-8")

@@ -17,6 +17,19 @@ namespace {
 
 constexpr int kSlice = 4096;  // decisions between two times that the progress is shown: a few milliseconds
 
+// Where many curves meet at small angles, their common point is what to look at: it is named, with their number.
+std::string hubAt(const MeshState& state, const Event& failure) {
+  constexpr int kMany = 3;
+  if (failure.rule != Rule::recover_edge || failure.subject >= state.mesh.edges.size()) return "";
+  const std::vector<Curve>& curves = state.domain->curves;
+  const Curve& curve = curves[state.mesh.edges[failure.subject].curve];
+  const bool atStart = squaredDistance(curve.a, failure.at) < squaredDistance(curve.b, failure.at);
+  const Point hub = atStart ? curve.a : curve.b;
+  int ends = 0;
+  for (const Curve& other : curves) ends += (other.a == hub ? 1 : 0) + (other.b == hub ? 1 : 0);
+  return ends < kMany ? "" : fmt::format("; {} curves meet at ({:.9g}, {:.9g})", ends, hub.x, hub.y);
+}
+
 }  // namespace
 
 Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet) {
@@ -70,8 +83,8 @@ Error failureOf(const MeshState& failed) {
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
     if (event->kind != EventKind::failure) continue;
     return Error{.code = ExitCode::unmet,
-                 .message = fmt::format("the method cannot go on in stage {}: {}", infoOf(event->stage).name,
-                                        describe(event->refusal)),
+                 .message = fmt::format("the method cannot go on in stage {}: {}{}", infoOf(event->stage).name,
+                                        describe(event->refusal), hubAt(*again, *event)),
                  .hint = "look at the domain there; 'triscope figure' draws the stages before",
                  .file = failed.domain->file,
                  .at = event->at};

@@ -122,7 +122,7 @@ TEST(RestoreDelaunay, LeadsBackToTheOneTriangulation) {
       suspects.push_back(half);
     }
     std::vector<Flip> done;
-    restoreDelaunay(mesh, suspects, done);
+    restoreDelaunay(mesh, suspects, done, mostFlips(mesh));
     EXPECT_TRUE(suspects.empty());
     EXPECT_FALSE(done.empty());
     EXPECT_EQ(support::trianglesOf(mesh), delaunay);
@@ -143,8 +143,23 @@ TEST(RestoreDelaunay, EndsOnCocircularPoints) {
     suspects.push_back(half);
   }
   std::vector<Flip> done;
-  restoreDelaunay(mesh, suspects, done);
+  restoreDelaunay(mesh, suspects, done, mostFlips(mesh));
   support::expectValid(mesh);
+}
+
+TEST(RestoreDelaunay, StopsWhereItsFlipsAreSpent) {
+  Mesh mesh = randomMesh(5);
+  Random random{5};
+  flipAtRandom(mesh, random, 200);
+  std::vector<std::int32_t> suspects;
+  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+    suspects.push_back(half);
+  }
+  std::vector<Flip> done(2);
+  restoreDelaunay(mesh, suspects, done, 3);
+  EXPECT_EQ(done.size(), 5u);
+  EXPECT_FALSE(suspects.empty());
+  expectSoundButForDelaunay(mesh);
 }
 
 TEST(RestoreDelaunay, ListsEachFlip) {
@@ -152,7 +167,7 @@ TEST(RestoreDelaunay, ListsEachFlip) {
   mesh.points[3].y = 0.75;
   std::vector<std::int32_t> suspects{1};
   std::vector<Flip> done;
-  restoreDelaunay(mesh, suspects, done);
+  restoreDelaunay(mesh, suspects, done, mostFlips(mesh));
   ASSERT_EQ(done.size(), 1u);
   EXPECT_EQ(std::minmax(done[0].a, done[0].b), std::minmax(0, 2));
   EXPECT_EQ(std::minmax(done[0].c, done[0].d), std::minmax(1, 3));

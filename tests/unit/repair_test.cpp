@@ -32,6 +32,11 @@ TEST(Repair, StepsDoNotPutBackWhatItTakesOut) {
   support::expectBounds(support::after(domain, Stage::step5));
 }
 
+// Two vertices taken out side by side: each removal had the steps look at the other's gap again and fill it.
+TEST(Repair, StepsDoNotFillAGapBesideANewOne) {
+  EXPECT_LT(roundsOf(support::domainAt(support::testData() / "koch5.json")), 20);
+}
+
 class RepairOf : public testing::TestWithParam<const char*> {};
 
 INSTANTIATE_TEST_SUITE_P(Domains, RepairOf,

@@ -95,6 +95,30 @@ Badness badnessOf(const Mesh& mesh, std::int32_t slot) {
   return badness;
 }
 
+Breach breachOf(const Mesh& mesh, std::int32_t slot) {
+  const Measures m = measuresOf(mesh, slot);
+  Breach breach;
+  breach.shortest = m.shortest;
+  // Most triangles are clearly within the bounds, which is seen without a division.
+  if (!(m.middle * m.longest < 0.99 * 4.0 * m.area * m.area)) {
+    const double radius = radiusOverEdge(m);
+    if (radius >= 1.0 - kBoundMargin) {
+      ++breach.broken;
+      breach.excess += std::min(radius, 1e6);
+    }
+  }
+  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
+    if (across < 0 || triangleOf(across) < slot) continue;
+    const double other = twiceArea(mesh, triangleOf(across));
+    if (std::max(m.area, other) < 0.99 * kAreaRatio * std::min(m.area, other)) continue;
+    const double ratio = areaRatio(m.area, other);
+    if (ratio < kAreaRatio) continue;
+    ++breach.broken;
+    breach.excess += std::min(ratio / 3.0, 1e6);
+  }
+  return breach;
+}
+
 bool breaksBound(const Mesh& mesh, std::int32_t slot) {
   const Measures m = measuresOf(mesh, slot);
   if (radiusOverEdge(m) >= 1.0 - kBoundMargin) return true;

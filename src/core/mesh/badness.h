@@ -25,6 +25,15 @@ struct Badness {
 Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots);
 Badness badnessOf(const Mesh& mesh, std::int32_t slot);
 
+/// What one triangle adds to the badness of a mesh that is looked at whole: with a neighbour it breaks the bound on
+/// area ratio when its slot is the lower of the two.
+struct Breach {
+  int broken = 0;
+  double excess = 0.0;
+  double shortest = 1e300;  // of its edges, squared
+};
+Breach breachOf(const Mesh& mesh, std::int32_t slot);
+
 /// True when the triangle breaks the bound on angles, or with a neighbour the bound on area ratio.
 bool breaksBound(const Mesh& mesh, std::int32_t slot);
 

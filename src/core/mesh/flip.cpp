@@ -29,8 +29,8 @@ std::int32_t flipEdge(Mesh& mesh, std::int32_t half) {
   const std::int32_t outAd = oppositeOf(mesh, ad), outDb = oppositeOf(mesh, db);
   const bool fixedBc = constrained(mesh, bc), fixedCa = constrained(mesh, ca);
   const bool fixedAd = constrained(mesh, ad), fixedDb = constrained(mesh, db);
-  mesh.flags[at(left)] &= static_cast<std::uint8_t>(~kConstrainedAll);
-  mesh.flags[at(right)] &= static_cast<std::uint8_t>(~kConstrainedAll);
+  mesh.flags[at(left)] &= static_cast<std::uint8_t>(~(kConstrainedAll | kFillsGap));
+  mesh.flags[at(right)] &= static_cast<std::uint8_t>(~(kConstrainedAll | kFillsGap));
   // left = (c, a, d): edge 0 a->d, edge 1 d->c, edge 2 c->a; right = (d, b, c): edge 0 b->c, edge 1 c->d, edge 2 d->b.
   mesh.triangles[at(left)].v = {c, a, d};
   mesh.triangles[at(right)].v = {d, b, c};
@@ -67,8 +67,9 @@ bool flipWanted(const Mesh& mesh, std::int32_t half) {
                   pointOf(mesh, apexOf(mesh, other))) > 0;
 }
 
-void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done) {
-  while (!suspects.empty()) {
+void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done, std::size_t most) {
+  const std::size_t before = done.size();
+  while (!suspects.empty() && done.size() - before < most) {
     const std::int32_t half = suspects.back();
     suspects.pop_back();
     if (!flipWanted(mesh, half)) continue;

@@ -19,7 +19,12 @@ struct Flip {
   std::int32_t c, d;  // new diagonal
 };
 
-/// Flips until the edges on and around the given half-edges' triangles are locally Delaunay. Appends each flip.
-void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done);
+/// Flips that one change of a mesh may call for. It takes a handful where the mesh was Delaunay before; only signs that
+/// are wrong, of determinants too small for a double, could ask for them without end.
+inline std::size_t mostFlips(const Mesh& mesh) { return 64 + mesh.triangles.size(); }
+
+/// Flips until the edges on and around the given half-edges' triangles are locally Delaunay, or `most` have been made.
+/// Appends each flip.
+void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done, std::size_t most);
 
 }  // namespace triscope

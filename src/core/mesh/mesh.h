@@ -48,7 +48,7 @@ struct BoundaryEdge {
 /// Bits of Mesh::flags.
 inline constexpr std::uint8_t kConstrained0 = 1;  // edge i is on the boundary or an inner chain: 1 << i
 inline constexpr std::uint8_t kDead = 8;          // free slot
-inline constexpr std::uint8_t kQueued = 16;       // waits in a worklist
+inline constexpr std::uint8_t kFillsGap = 16;     // where repair took a vertex out: steps 1-5 would put it back
 inline constexpr std::uint8_t kInCavity = 32;     // while one insertion looks at it; never left set
 inline constexpr std::uint8_t kConstrainedAll = 7;
 inline constexpr std::uint8_t kTestedAll = 255;  // Mesh::tested of a free slot: nothing to look at

@@ -54,10 +54,15 @@ bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
     suspects.push_back(3 * slot + next3(cornerOf(rim)));
   }
   mesh.points[at(vertex)] = to;
+  const std::size_t most = mostFlips(mesh);
   while (!suspects.empty()) {
     const std::int32_t half = suspects.back();
     suspects.pop_back();
     if (!flipWanted(mesh, half)) continue;
+    if (log.flips == most) {
+      undoMove(mesh, log);
+      return false;
+    }
     saveFlip(mesh, half, log);
     const std::int32_t diagonal = flipEdge(mesh, half);
     const std::int32_t other = oppositeOf(mesh, diagonal);

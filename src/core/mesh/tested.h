@@ -8,7 +8,6 @@
 namespace triscope {
 
 // Bits of Mesh::tested: step 1 to step 5 are bits 0 to 4.
-inline constexpr std::uint8_t kTestedSteps = 31;
 inline constexpr std::uint8_t kTestedRepair = 32;  // breaks no bound, or nothing helps
 
 /// Calls visit(slot) for each live slot whose `tested` lacks the bit, in ascending order. Free slots have every bit

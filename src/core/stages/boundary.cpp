@@ -7,7 +7,7 @@
 namespace triscope {
 namespace {
 
-constexpr int kOneByOne = 64;  // points at most that are taken from a curve one at a time, each time placing the rest
+constexpr int kByOne = 64;  // tries to place a curve's points with one edge less each time
 
 struct Sample {
   double t;
@@ -64,14 +64,14 @@ void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   integrate(state, curve, samples);
   int n = std::max(fewest, static_cast<int>(std::floor(samples.back().integral + 0.5)));
   place(samples, n, params);
-  const double least = state.minEdge * (1.0 - 1e-9);
-  double shortest = shortestChord(curve, params);
-  for (int tries = 0; n > fewest && shortest < least; ++tries) {
-    // One fewer is enough as a rule. Where it is not for long, as many as bring the shortest up to Δx.
-    const int fewer = tries < kOneByOne ? n - 1 : static_cast<int>(n * (shortest / state.minEdge));
-    n = std::clamp(fewer, fewest, n - 1);
+  // One edge less, and so on until none is too short; after many tries by what is missing, or a long curve would be
+  // placed as often as it has edges.
+  for (int tries = 0; n > fewest; ++tries) {
+    const double shortest = shortestChord(curve, params);
+    if (shortest >= state.minEdge * (1.0 - 1e-9)) break;
+    const int fewer = tries < kByOne ? n - 1 : std::min(n - 1, static_cast<int>(n * (shortest / state.minEdge)));
+    n = std::max(fewest, fewer);
     place(samples, n, params);
-    shortest = shortestChord(curve, params);
   }
   for (std::size_t k = 0; k < params.size(); ++k) {
     const bool end = k == 0 || k + 1 == params.size();

@@ -100,7 +100,7 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
   starOf(mesh, attempt.vertex, star);
   suspects.assign(star.rim.begin(), star.rim.end());
   flips.clear();
-  restoreDelaunay(mesh, suspects, flips);
+  restoreDelaunay(mesh, suspects, flips, mostFlips(mesh));
   attempt.createdCount = mesh.nextId - attempt.firstId;
   return attempt;
 }

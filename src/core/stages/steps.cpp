@@ -1,8 +1,11 @@
 // Stages "step1" … "step5" (paper, section 3.1): triangles are looked at until the rule proposes no further point.
 // New triangles are looked at next, so that insertions stay close to the last one.
+#include <algorithm>
+
 #include "core/mesh/edit.h"
 #include "core/mesh/tested.h"
 #include "core/stages/insertion_rules.h"
+#include "core/stages/limits.h"
 #include "core/stages/place.h"
 #include "core/stages/stage_runs.h"
 
@@ -36,6 +39,17 @@ void queueFan(std::vector<std::int32_t>& worklist, std::span<const std::int32_t>
   worklist.insert(worklist.end(), fan.begin(), fan.end() - 1);
 }
 
+Attempt insert(MeshState& state, std::int32_t slot, const Proposal& proposal, Placing& placing) {
+  if (state.mesh.points.size() < mostVertices(state)) {
+    const double nearest = std::max(proposal.nearest, shortestMade(state));
+    return place(state.mesh, state.tree, proposal.at, slot, VertexKind::steiner, {nearest, -0.5}, placing);
+  }
+  state.cursor.worklist.clear();  // the rest of the stage is left undone
+  Attempt attempt;
+  attempt.refusal = Refusal::budget_spent;
+  return attempt;
+}
+
 void record(const MeshState& state, Journal& journal, std::uint32_t subject, const Proposal& proposal,
             std::uint32_t other, const Attempt& attempt) {
   if (!journal.listening()) return;
@@ -63,7 +77,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
   while (!cursor.worklist.empty()) {
     const std::int32_t slot = cursor.worklist.back();
     cursor.worklist.pop_back();
-    if (!mesh.alive(slot) || (mesh.tested[at(slot)] & bit) != 0) continue;
+    if ((mesh.flags[at(slot)] & (kDead | kFillsGap)) != 0 || (mesh.tested[at(slot)] & bit) != 0) continue;
     mesh.tested[at(slot)] |= bit;
     Proposal proposal;
     if (state.stage == Stage::step1) {
@@ -77,8 +91,7 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
-    const Demand demand{proposal.nearest, -0.5};
-    const Attempt attempt = place(mesh, state.tree, proposal.at, slot, VertexKind::steiner, demand, scratch);
+    const Attempt attempt = insert(state, slot, proposal, scratch);
     record(state, journal, subject, proposal, other, attempt);
     if (attempt.vertex < 0) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;

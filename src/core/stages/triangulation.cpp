@@ -1,5 +1,4 @@
-// Stages "triangulation" and "recovery" (paper, section 3, Figure 4 b): the boundary points by Bowyer-Watson, then
-// every boundary edge made present by splitting the missing ones on their curves.
+// Stage "triangulation" (paper, section 3, Figure 4 b): the boundary points by Bowyer-Watson.
 #include <algorithm>
 
 #include "core/mesh/edit.h"
@@ -89,47 +88,6 @@ Outcome runTriangulation(MeshState& state, Journal& journal) {
   }
   addBoundaryEdges(state);
   return Outcome::done;
-}
-
-Outcome runRecovery(MeshState& state, Journal& journal) {
-  // index: next boundary edge to look at; phase: 1 when this pass split one, so that another pass is due.
-  Cursor& cursor = state.cursor;
-  Mesh& mesh = state.mesh;
-  cursor.begun = true;
-  for (;;) {
-    for (; cursor.index < mesh.edges.size(); ++cursor.index) {
-      const BoundaryEdge edge = mesh.edges[cursor.index];
-      if (findHalfEdge(mesh, edge.v0, edge.v1) >= 0) continue;
-      const double t = 0.5 * (edge.t0 + edge.t1);
-      const Point p = pointAt(state.domain->curves[edge.curve], t);
-      const Attempt attempt = place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::split, {});
-      if (attempt.vertex < 0) {
-        state.failed = true;
-        if (journal.listening()) {
-          Event event = eventIn(state, EventKind::failure, Rule::recover_edge);
-          event.subject = static_cast<std::uint32_t>(cursor.index);
-          event.at = p;
-          describeAttempt(event, attempt);
-          journal.record(event);
-        }
-        return Outcome::done;
-      }
-      splitBoundaryEdge(mesh, static_cast<std::int32_t>(cursor.index), attempt.vertex, t);
-      cursor.phase = 1;
-      if (journal.listening()) {
-        Event event = eventIn(state, EventKind::edge_split, Rule::recover_edge);
-        event.at = p;
-        describeAttempt(event, attempt);
-        event.subject = static_cast<std::uint32_t>(cursor.index);
-        event.measured = distance(pointOf(mesh, edge.v0), pointOf(mesh, edge.v1));
-        journal.record(event);
-      }
-      return Outcome::inserted;
-    }
-    if (cursor.phase == 0) return Outcome::done;
-    cursor.phase = 0;
-    cursor.index = 0;
-  }
 }
 
 }  // namespace triscope

@@ -1,0 +1,30 @@
+// What repair may try around a triangle that breaks a bound: single edits, proposed and carried out.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/stages/place.h"
+#include "core/state.h"
+
+namespace triscope {
+
+enum class Edit : std::uint8_t { none, move, insert, remove, split };
+
+struct Remedy {
+  Edit edit = Edit::none;
+  std::int32_t index = -1;  // vertex (move, remove) or boundary edge (split)
+  Point to;
+};
+
+/// Everything worth trying around the patient of a patch: the first triangle that breaks a bound, 0 in a fresh patch.
+void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies);
+
+/// Makes the edit in the mesh of the state, or in a patch of it. A point to insert is looked for from slot `start`; no
+/// edge becomes shorter than `floor`.
+Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor);
+
+Point middleOf(const Mesh& mesh, std::int32_t slot);
+std::int32_t firstLive(const Mesh& mesh);
+
+}  // namespace triscope
