@@ -321,7 +321,7 @@ TEST(SplitCavity, LeavesASoundMeshHoweverFarOffTheChord) {
       Star star;
       starOf(mesh, static_cast<std::int32_t>(mesh.points.size()) - 1, star);
       std::vector<Flip> flips;
-      restoreDelaunay(mesh, star.rim, flips);
+      restoreDelaunay(mesh, star.rim, flips, mostFlips(mesh));
       // Far off the chord the mesh is no longer Delaunay all over, and may leave its place; but it is a mesh.
       for (const Violation& violation : validate(mesh))
         EXPECT_TRUE(violation.what == Broken::delaunay || violation.what == Broken::overlap) << violation.message;

@@ -30,7 +30,8 @@ Outcome nextLeaf(MeshState& state, const Decide& decide) {
   for (; cursor.index < state.constraints.size(); ++cursor.index) {
     const Constraint& constraint = state.constraints[cursor.index];
     const LatticeBox patch = latticeBoxOf(state.tree, reachOf(constraint, *state.domain));
-    if (!cursor.inside) cursor.worklist.assign(1, 0);
+    const bool onePlace = patch.x0 == patch.x1 && patch.y0 == patch.y1;
+    if (!cursor.inside) cursor.worklist.assign(1, onePlace ? leafAt(state.tree, constraint.at, path) : 0);
     cursor.inside = true;
     while (!cursor.worklist.empty()) {
       if (++looked > kPiece) return Outcome::worked;
