@@ -82,6 +82,7 @@ void update(Histogram& histogram, const Session& session, Measure measure) {
 
 TickRange shownRange(const DebugUi& ui, const RunRecord& record) {
   const auto end = static_cast<double>(std::max<std::uint64_t>(record.ticks, 1));
+  if (ui.to <= ui.from) return {0.0, end};
   const double from = std::clamp(ui.from, 0.0, end);
   const double to = std::clamp(ui.to, 1.0, end);
   return from < to ? TickRange{from, to} : TickRange{0.0, end};  // the run may have become shorter than the range

@@ -12,6 +12,7 @@ from program import (BLUNT_BODY, CANCELLED, CANNOT_WRITE, DOMAINS, NO_INPUT, OK,
 
 ANNULUS = str(DOMAINS / "annulus.json")
 CRACKED = str(DOMAINS / "cracked_plate.json")
+CYLINDER = str(DOMAINS / "cylinder.json")
 
 
 class Debug(program.ProgramTest):
@@ -31,11 +32,11 @@ class Places(Debug):
 
     def test_counts_are_plain_digits(self):
         """The window sets thousands apart by a thin space, which no script reads as a number."""
-        text = self.expect(OK, run("debug", CRACKED, "--print", "state", "--print", "events:0-20000")).stdout
+        text = self.expect(OK, run("debug", CYLINDER, "--print", "state", "--print", "events:0-20000")).stdout
         self.assertRegex(text, r"(?m)^  Finished after 1\d{4} decisions")
         self.assertRegex(text, r"(?m)^  1\d{4} decisions made, 1\d{4} events recorded\.$")
         self.assertNotIn("\u2009", text)
-        self.assertTrue(self.lines(CRACKED, "--print", "state")[1].startswith(text.split("Finished after ")[1][:15]))
+        self.assertTrue(self.lines(CYLINDER, "--print", "state")[1].startswith(text.split("Finished after ")[1][:15]))
 
     def test_every_place_can_be_gone_to(self):
         end = self.ask(ANNULUS)

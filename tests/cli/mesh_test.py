@@ -103,7 +103,7 @@ class Outputs(program.ProgramTest):
 class Limit(program.ProgramTest):
     """A mesh that would be too large is not begun; the message says what asks for it and what to change."""
 
-    BOX = str(program.SOURCE / "tests" / "data" / "domains" / "box_1e16_triangles.json")
+    BOX = str(program.SOURCE / "tests" / "data" / "refused" / "box_1e16_triangles.json")
 
     def test_every_subcommand_that_meshes(self):
         for arguments in (["mesh", self.BOX, "-o", self.path("a.msh")], ["figure", self.BOX, "-o", self.path("a.svg")],

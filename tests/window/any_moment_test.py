@@ -10,8 +10,8 @@ import monkey_test
 from keys_test import chord
 
 # Meshed in a few seconds: long enough to do something meanwhile.
-SLOW = {"name": "slow", "outer": [[0, 0], [60, 0], [60, 60], [0, 60]], "min_edge_length": 0.15,
-        "density": [{"box": [[1, 1], [59, 59]], "length": 0.2}]}
+SLOW = {"name": "slow", "outer": [[0, 0], [60, 0], [60, 60], [0, 60]], "min_edge_length": 0.1,
+        "density": [{"box": [[1, 1], [59, 59]], "length": 0.12}]}
 
 
 class AnyMoment(harness.WindowTest):

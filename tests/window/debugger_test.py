@@ -154,8 +154,8 @@ class Debugger(harness.WindowTest):
     def test_a_search_tells_how_far_it_is_and_can_be_given_up(self):
         path = os.path.join(self.window.folder.name, "large.json")
         with open(path, "w", encoding="utf-8") as file:
-            json.dump({"outer": [[0, 0], [40, 0], [40, 40], [0, 40]], "min_edge_length": 0.2,
-                       "density": [{"box": [[0, 0], [40, 40]], "length": 0.2}]}, file)
+            json.dump({"outer": [[0, 0], [40, 0], [40, 40], [0, 40]], "min_edge_length": 0.1,
+                       "density": [{"box": [[0, 0], [40, 40]], "length": 0.1}]}, file)
         window = harness.Window(self.display, path)
         self.addCleanup(window.close)
         window.settled()

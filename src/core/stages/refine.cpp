@@ -81,9 +81,11 @@ Point apexRaised(Point p1, Point p2, Point p3, double theta) {
 }
 
 // Turns to try in units of θ: the full one first, then half and twice, each for p1, p3 and p2. The first that is
-// accepted ends the obtuse angle or makes it smaller, and the triangle is looked at again in the next pass.
+// accepted ends the obtuse angle or makes it smaller, and the triangle is looked at again in the next pass. The whole
+// pass has only the first two, the paper's own: the filter that follows ends most of the others at once.
 constexpr std::array<double, 3> kTurns = {1.0, 0.5, 2.0};
 constexpr std::uint64_t kTries = 3 * kTurns.size();
+constexpr std::uint64_t kTriesOfWholePass = 2;
 
 // index = 9·slot + try.
 Outcome runObtuse(MeshState& state, Journal& journal, TrialRoom& room) {
@@ -94,9 +96,10 @@ Outcome runObtuse(MeshState& state, Journal& journal, TrialRoom& room) {
     if (open != cursor.index / kTries) cursor.index = kTries * open;
     if (open == mesh.triangles.size()) break;
     const auto slot = static_cast<std::int32_t>(open);
-    const int corner = obtuseCorner(mesh, slot);
+    const bool tried = state.round <= kWholePasses && cursor.index % kTries >= kTriesOfWholePass;
+    const int corner = tried ? -1 : obtuseCorner(mesh, slot);
     if (corner < 0) {
-      mesh.tested[open] |= kAcute;
+      if (!tried) mesh.tested[open] |= kAcute;
       cursor.index += kTries - 1 - cursor.index % kTries;  // on to the next triangle
       continue;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "core/mesh/edit.h"
 #include "core/mesh/tested.h"
@@ -11,7 +12,7 @@
 namespace triscope {
 namespace {
 
-constexpr double kPoor = 0.85;     // strain from which a triangle is polished
+constexpr double kPoor = 0.88;     // strain from which a triangle is polished
 constexpr double kNearPoor = 0.7;  // … and from which it may come to be, as the worst of the mesh becomes less
 
 // Places to try: part of the way to the mean of the neighbours, then off to the sides by a part of the shortest spoke.
@@ -23,10 +24,10 @@ constexpr std::uint64_t kTries = kInward.size() + kSteps.size() * kSideways.size
 
 // The triangles that may be poor: those that were not far from it at the start, and what has changed since.
 std::vector<std::int32_t> candidates(const MeshState& state) {
-  std::vector<std::int32_t> slots = state.cursor.worklist;
-  forEachUntested(state.mesh, kSettled, [&](std::int32_t slot) { slots.push_back(slot); });
-  std::sort(slots.begin(), slots.end());
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+  std::vector<std::int32_t> changed;
+  forEachUntested(state.mesh, kSettled, [&](std::int32_t slot) { changed.push_back(slot); });
+  std::vector<std::int32_t> slots;
+  std::ranges::set_union(state.cursor.worklist, changed, std::back_inserter(slots));  // both ascend
   return slots;
 }
 
