@@ -251,7 +251,12 @@ class Debugger(harness.WindowTest):
             self.window.wait(lambda s: s["tooltip"].startswith(tip), tip)
         self.window.key("Left")
         state = self.window.wait(lambda s: s["tick"] == state["tick"] - 1, "a step back")
-        self.window.move(x + 0.34 * width, y + height / 2)
+        place = x + round(0.34 * width)
+        self.window.move(place, y + height / 2)
+        state = self.window.wait(lambda s: s["tooltip"].startswith("Decision ") and s["tooltip"] != state["tooltip"],
+                                 "what is told of the place")
+        if "after decision" not in state["tooltip"]:  # a sample's own decision; that of the next pixel is not
+            self.window.move(place + 1, y + height / 2)
         self.window.wait(lambda s: "after decision" in s["tooltip"], "the decision of the sample")
 
     def test_a_stage_is_named_up_to_its_last_decision(self):

@@ -282,11 +282,15 @@ class Idle(harness.WindowTest):
 
 
 class Parameters(harness.WindowTest):
-    def scroll(self, button):
-        """To the start (4) of the parameters, or to their end (5), where the switches are."""
-        left, top, _, _ = self.window.canvas()
+    def bring(self, name):
+        """Scrolls the parameters from their start until one of them is well in sight."""
+        left, top, _, height = self.window.canvas()
         self.window.move(left / 2, top + 200)
-        self.window.xdotool("click", "--repeat", "12", "--delay", "40", str(button))
+        self.window.xdotool("click", "--repeat", "12", "--delay", "40", "4")
+        for _ in range(12):
+            if self.window.widget(name)[1] < top + 0.6 * height:
+                break
+            self.window.xdotool("click", "5")
 
     def test_switches_and_numbers_mesh_again(self):
         window = self.window
@@ -294,14 +298,14 @@ class Parameters(harness.WindowTest):
         window.click("tab.Params")
         for name in ("laplacian", "reduce_obtuse", "shared_edge", "polish"):
             before = window.settled()
-            self.scroll(5)
+            self.bring("param." + name)
             window.click("param." + name)
             after = window.wait(lambda s: s["settings"][name] == 0 and not s["stale"] and s["activity"] == "idle", name)
             self.assertNotEqual(after["hash"], before["hash"])
         self.assertGreater(after["figures"]["obtuse"], start["figures"]["obtuse"])
         window.key("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+z")
         window.wait(lambda s: s["hash"] == start["hash"], "everything undone")
-        self.scroll(4)
+        self.bring("param.omega")
         x, y = window.widget("param.omega")
         window.drag(x - 60, y, x + 40, y)
         dragged = window.wait(lambda s: s["settings"]["omega"] > 0.3 and s["activity"] == "idle", "a larger omega")

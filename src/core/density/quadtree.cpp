@@ -41,8 +41,8 @@ std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y, Le
     const Cell& last = cellAt(tree, path.leaf);
     if (last.child < 0 && holds(last, x, y)) return path.leaf;
   }
-  const auto common = static_cast<std::size_t>(std::bit_width((x ^ path.x) | (y ^ path.y)) + 1);
-  std::int32_t index = path.cells[common];
+  const auto differing = static_cast<std::size_t>(std::bit_width((x ^ path.x) | (y ^ path.y)));
+  std::int32_t index = path.cells[differing + 1];
   if (static_cast<std::size_t>(index) >= count || !holds(cellAt(tree, index), x, y)) index = 0;
   for (;;) {
     const Cell& cell = cellAt(tree, index);

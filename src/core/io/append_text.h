@@ -9,22 +9,14 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/io/shortest.h"
-
 namespace triscope {
 
 using TextBuffer = fmt::memory_buffer;
 
 inline void appendText(TextBuffer& out, std::string_view text) { out.append(text.data(), text.data() + text.size()); }
 
-/// Doubles by writeShortest(), all else as it is.
-template <class T>
-decltype(auto) written(const T& value) {
-  if constexpr (std::is_same_v<T, double>)
-    return Shortest{value};
-  else
-    return (value);
-}
+/// Bytes to have free for a number: no more are written.
+inline constexpr std::size_t kLongestNumber = 32;
 
 /// `format` is FMT_COMPILE("…").
 template <class Format, class... Args>
@@ -32,10 +24,10 @@ void print(TextBuffer& out, const Format& format, const Args&... args) {
   if constexpr ((std::is_arithmetic_v<Args> && ...)) {
     const std::size_t before = out.size();
     out.reserve(before + fmt::string_view(format).size() + sizeof...(Args) * kLongestNumber);
-    const char* const end = fmt::format_to(out.data() + before, format, written(args)...);
+    const char* const end = fmt::format_to(out.data() + before, format, args...);
     out.resize(static_cast<std::size_t>(end - out.data()));
   } else {
-    fmt::format_to(std::back_inserter(out), format, written(args)...);
+    fmt::format_to(std::back_inserter(out), format, args...);
   }
 }
 

@@ -1,7 +1,6 @@
 // The edges of a mesh file by group: a domain may have thousands of loops, and no writer looks at every edge for each.
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -11,10 +10,11 @@ namespace triscope {
 
 class EdgeGroups {
  public:
-  explicit EdgeGroups(const MeshFile& file) : edges_(file.edges), ends_(file.groups.size() + 1, 0) {
-    std::ranges::stable_sort(edges_, {}, &MeshFile::Edge::group);
-    for (const MeshFile::Edge& edge : edges_) ++ends_[static_cast<std::size_t>(edge.group) + 1];
+  explicit EdgeGroups(const MeshFile& file) : edges_(file.edges.size()), ends_(file.groups.size() + 1, 0) {
+    for (const MeshFile::Edge& edge : file.edges) ++ends_[static_cast<std::size_t>(edge.group) + 1];
     for (std::size_t g = 1; g < ends_.size(); ++g) ends_[g] += ends_[g - 1];
+    std::vector<std::size_t> next = ends_;
+    for (const MeshFile::Edge& edge : file.edges) edges_[next[static_cast<std::size_t>(edge.group)]++] = edge;
   }
   /// In the order of the file.
   [[nodiscard]] std::span<const MeshFile::Edge> of(std::size_t group) const {

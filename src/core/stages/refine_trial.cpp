@@ -139,7 +139,8 @@ bool within(double l, double r, double limit) { return std::max(l, r) < limit * 
 bool areasWithin(const Rim& rim, const Pose& pose, double limit) {
   bool all = true;
   for (std::size_t k = 0; k < rim.count; ++k) {
-    all &= within(pose.area[k], pose.area[k + 1], limit) & within(pose.area[k], beyond(rim, pose, k), limit);
+    all &= within(pose.area[k], pose.area[k + 1], limit);
+    all &= within(pose.area[k], beyond(rim, pose, k), limit);
   }
   return all;
 }
