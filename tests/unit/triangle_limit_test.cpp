@@ -62,7 +62,8 @@ TEST(TriangleLimit, IsHeldAgainstTheEstimate) {
 
 // The tree alone would take more memory than there is: it is not built.
 TEST(TriangleLimit, StopsATreeThatCannotEndBelowIt) {
-  const support::DomainPtr domain = support::domainAt(support::testData().parent_path() / "refused" / "box_1e16_triangles.json");
+  const support::DomainPtr domain =
+      support::domainAt(support::testData().parent_path() / "refused" / "box_1e16_triangles.json");
   const Stopped at = stopped(domain);
   EXPECT_GT(at.state.estimatedTriangles, 1e15);
   EXPECT_LT(at.state.tree.cells.size(), 100'000u);
