@@ -85,11 +85,6 @@ std::vector<Line> ofCell(const MeshState& state, const Cell& cell, std::uint32_t
 
 }  // namespace
 
-Point centroidOf(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
-}
-
 std::vector<Line> figuresOf(const MeshState& state, Events events, Ref ref) {
   const Mesh& mesh = state.mesh;
   switch (ref.kind) {

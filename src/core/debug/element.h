@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/debug/element_events.h"
+#include "core/mesh/centroid.h"
 #include "core/quality/quality.h"
 #include "core/state.h"
 
@@ -27,7 +28,5 @@ struct WorstMeasure {
 };
 /// Aspect ratio, area ratio, edge ratio, smallest and largest angle (degrees).
 std::array<WorstMeasure, 5> worstOf(const Quality& quality);
-
-Point centroidOf(const Mesh& mesh, std::int32_t slot);
 
 }  // namespace triscope

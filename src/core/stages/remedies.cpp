@@ -43,7 +43,7 @@ void addMoves(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remed
 void addInsertions(const Mesh& patch, std::int32_t slot, std::vector<Remedy>& remedies) {
   const Triangle& t = triangleAt(patch, slot);
   const Point a = pointOf(patch, t.v[0]), b = pointOf(patch, t.v[1]), c = pointOf(patch, t.v[2]);
-  const Point middle = middleOf(patch, slot);
+  const Point middle = centroidOf(patch, slot);
   const Point centre = circumcentre(a, b, c);
   remedies.push_back({Edit::insert, -1, middle});
   for (const double part : {0.5, 0.75, 1.0}) remedies.push_back({Edit::insert, -1, middle + part * (centre - middle)});
@@ -85,11 +85,6 @@ void addSplits(const Mesh& patch, std::int32_t vertex, const std::vector<std::in
 }
 
 }  // namespace
-
-Point middleOf(const Mesh& mesh, std::int32_t slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
-}
 
 std::int32_t firstLive(const Mesh& mesh) {
   std::int32_t slot = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/mesh/centroid.h"
 #include "core/stages/place.h"
 #include "core/state.h"
 
@@ -24,7 +25,6 @@ void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies);
 /// edge becomes shorter than `floor`.
 Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor);
 
-Point middleOf(const Mesh& mesh, std::int32_t slot);
 std::int32_t firstLive(const Mesh& mesh);
 
 }  // namespace triscope

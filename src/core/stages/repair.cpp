@@ -91,7 +91,7 @@ Outcome runRepair(MeshState& state, Journal& journal) {
       ++counts.refused;
       Attempt spent;
       spent.refusal = Refusal::budget_spent;
-      record(state, journal, {Edit::none, -1, middleOf(mesh, slot)}, subject, {}, spent);
+      record(state, journal, {Edit::none, -1, centroidOf(mesh, slot)}, subject, {}, spent);
       return Outcome::decided;
     }
     double floor = 0.0;
@@ -101,7 +101,7 @@ Outcome runRepair(MeshState& state, Journal& journal) {
       ++counts.refused;
       Attempt nothing;
       nothing.refusal = Refusal::bound_broken;
-      record(state, journal, {Edit::none, -1, middleOf(mesh, slot)}, subject, {}, nothing);
+      record(state, journal, {Edit::none, -1, centroidOf(mesh, slot)}, subject, {}, nothing);
       return Outcome::decided;
     }
     ++cursor.index;
