@@ -21,6 +21,7 @@ struct Layer {
   int level;
 };
 constexpr std::array kLayers{
+    Layer{"memory/", 0},
     Layer{"core/geometry/", 0},
     Layer{"core/result", 1},
     Layer{"core/counted", 1},
