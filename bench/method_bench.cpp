@@ -28,7 +28,7 @@ BENCHMARK(ringStages)
     ->Arg(540000)
     ->Arg(1000000)
     ->UseManualTime()
-    ->MinTime(4.0)
+    ->MinTime(1.0)
     ->Unit(benchmark::kMillisecond);
 
 /// Argument: 0 without a listener, 1 with a journal that keeps every event.
@@ -43,7 +43,7 @@ void ringJournal(benchmark::State& bench) {
   });
   bench.counters["events"] = static_cast<double>(events.size());
 }
-BENCHMARK(ringJournal)->Arg(0)->Arg(1)->UseManualTime()->MinTime(3.0)->Unit(benchmark::kMillisecond);
+BENCHMARK(ringJournal)->Arg(0)->Arg(1)->UseManualTime()->MinTime(1.0)->Unit(benchmark::kMillisecond);
 
 /// Reading the file, and the method without step 6.
 void threeElementAirfoil(benchmark::State& bench) {
@@ -58,7 +58,7 @@ void threeElementAirfoil(benchmark::State& bench) {
     return run;
   });
 }
-BENCHMARK(threeElementAirfoil)->UseManualTime()->MinTime(3.0)->Unit(benchmark::kMillisecond);
+BENCHMARK(threeElementAirfoil)->UseManualTime()->MinTime(1.0)->Unit(benchmark::kMillisecond);
 
 /// What the window adds to a run, all stages: argument 0 nothing, 1 every event, 2 the recorder and keyframes as well,
 /// one decision at a time.
@@ -110,7 +110,7 @@ void airfoilHistory(benchmark::State& bench) {
   bench.counters["keyframes"] = static_cast<double>(keyframes);
   bench.counters["keyframe_bytes"] = static_cast<double>(keyframeBytes);
 }
-BENCHMARK(airfoilHistory)->Arg(0)->Arg(1)->Arg(2)->UseManualTime()->MinTime(3.0)->Unit(benchmark::kMillisecond);
+BENCHMARK(airfoilHistory)->Arg(0)->Arg(1)->Arg(2)->UseManualTime()->MinTime(1.0)->Unit(benchmark::kMillisecond);
 
 std::int64_t peakBytes() {
   rusage usage{};
@@ -134,14 +134,14 @@ void realDomain(benchmark::State& bench, const char* name) {
   Journal nobody;
   countStages(bench, fastest(bench, [&] { return runThrough(domain, Stage::refine, nobody); }));
 }
-BENCHMARK_CAPTURE(realDomain, koch5, "koch5")->UseManualTime()->MinTime(2.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(realDomain, koch5, "koch5")->UseManualTime()->MinTime(1.0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(realDomain, perforated_plate, "perforated_plate")
     ->UseManualTime()
-    ->MinTime(2.0)
+    ->MinTime(1.0)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(realDomain, great_britain, "great_britain")
     ->UseManualTime()
-    ->MinTime(2.0)
+    ->MinTime(1.0)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -24,8 +24,13 @@ STYLES = [("#0072B2", "circle"), ("#E69F00", "square"), ("#009E73", "diamond"), 
 
 
 def load(folder, name):
-    with open(folder / f"{name}.json", encoding="utf-8") as file:
-        return json.load(file)
+    """What one file holds, or of the rounds of a benchmark the fastest entry of each name."""
+    files = [folder / f"{name}.json"] if (folder / f"{name}.json").exists() else sorted(folder.glob(f"{name}.*.json"))
+    data, *others = (json.loads(file.read_text(encoding="utf-8")) for file in files)
+    for other in others:
+        data["benchmarks"] = [min(pair, key=lambda entry: entry.get("seconds", entry["cpu_time"]))
+                              for pair in zip(data["benchmarks"], other["benchmarks"], strict=True)]
+    return data
 
 
 def seconds(entry, keys):
