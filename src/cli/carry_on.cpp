@@ -11,6 +11,7 @@
 #include "core/domain/read.h"
 #include "core/pipeline.h"
 #include "core/triangle_limit.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {

@@ -1,9 +1,10 @@
 // One event for each decision: the rule, the subject, the measured value and the limit it was held against,
 // what it made, or why it was refused. "Why is this here?" is answered from these, never computed again.
+// What `subject`, `other` and `created` are ids of, and how a kind, a rule and a refusal are put into words, stands in
+// vocabulary.h.
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "core/geometry/point.h"
@@ -13,21 +14,21 @@ namespace triscope {
 
 enum class EventKind : std::uint8_t {
   stage_begun,       // subject: round
-  constraint_found,  // subject: constraint index; measured: length asked for; limit: 0
-  cell_split,        // subject: cell; created: first of its four children
-  cell_ranked,       // subject: cell; measured: new density rank; limit: rank before
-  boundary_point,    // subject: curve; other: index in MeshState::boundary; measured: edge length h there
+  constraint_found,  // measured: length asked for; limit: 0
+  cell_split,        // created: first of its four children
+  cell_ranked,       // measured: new density rank; limit: rank before
+  boundary_point,    // other: index in MeshState::boundary; measured: edge length h there
   vertex_inserted,   // subject: triangle id it was proposed for (kNoId when none); vertex: the new one
-  vertex_refused,    // subject: triangle id; at: where it would have gone; refusal: why
-  edge_split,        // vertex: the new one, on the boundary; subject: boundary edge index
+  vertex_refused,    // at: where it would have gone; refusal: why
+  edge_split,        // vertex: the new one, on the boundary; subject: index in Mesh::edges
   vertex_removed,    // vertex: gone
-  triangle_removed,  // subject: triangle id
-  edge_flipped,      // subject, other: the two triangle ids before; created: first id after
-  vertex_moved,      // vertex; from, where the last event that placed it says -> at
-  vertex_kept,       // vertex; from: where it stays; at: where it would have gone; refusal: why
-  stage_finished,    // subject: decisions made in it that changed something
-  failure,           // the method cannot go on; at: where
+  triangle_removed,
+  vertex_moved,    // vertex; from, where the last event that placed it says -> at
+  vertex_kept,     // vertex; from: where it stays; at: where it would have gone; refusal: why
+  stage_finished,  // subject: decisions made in it that changed something
+  failure,         // the method cannot go on; at: where
 };
+inline constexpr int kEventKindCount = static_cast<int>(EventKind::failure) + 1;
 
 enum class Rule : std::uint8_t {
   none,
@@ -48,16 +49,14 @@ enum class Rule : std::uint8_t {
   step2,
   step3,
   step4,
-  step5,             // section 3.1
-  split_encroached,  // a proposal that would hit the boundary splits it
-  repair,            // our own: clears what a refusal left behind
+  step5,   // section 3.1
+  repair,  // our own: clears what a refusal left behind
   laplacian,
   reduce_obtuse,
-  shared_edge,    // section 4
-  polish,         // our own: what is worst in the mesh
-  delaunay_flip,  // section 4
+  shared_edge,  // section 4
+  polish,       // our own: what is worst in the mesh
 };
-inline constexpr int kRuleCount = static_cast<int>(Rule::delaunay_flip) + 1;
+inline constexpr int kRuleCount = static_cast<int>(Rule::polish) + 1;
 
 enum class Refusal : std::uint8_t {
   none,
@@ -93,20 +92,11 @@ struct Event {
   Point from;
 };
 
-/// True when the event puts its vertex at Event::at.
-bool placesVertex(const Event& event);
-
 /// Where events go. A run without a listener makes none: guard with `if (journal.listening())`.
 struct Journal {
   std::vector<Event>* events = nullptr;
   [[nodiscard]] bool listening() const { return events != nullptr; }
   void record(const Event& event) { events->push_back(event); }
 };
-
-std::string_view name(EventKind kind);
-std::string_view name(Rule rule);      // "step 3"
-std::string_view describe(Rule rule);  // "circumradius R not below the shortest edge e"
-std::string_view name(Refusal refusal);
-std::string_view describe(Refusal refusal);
 
 }  // namespace triscope

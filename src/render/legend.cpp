@@ -248,10 +248,9 @@ void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
 void addDecision(const SceneInput& in, std::vector<LegendItem>& legend) {
   if (in.insertion != nullptr) return addPhase(in, legend);
   if (!in.options.decision || in.current == nullptr) return;
-  const EventKind kind = in.current->kind;
-  const bool inserts = kind == EventKind::vertex_inserted || kind == EventKind::edge_split;
-  if (!inserts && kind != EventKind::edge_flipped && kind != EventKind::vertex_moved) return;
-  LegendItem made = item(Sample::hatch, kind == EventKind::vertex_moved ? "changed by this decision" : "new triangles");
+  const bool moves = does(*in.current, kMoves);
+  if (!moves && !does(*in.current, kInserts)) return;
+  LegendItem made = item(Sample::hatch, moves ? "changed by this decision" : "new triangles");
   made.fill = in.theme.created;
   legend.push_back(std::move(made));
   legend.push_back(lineItem(Sample::line, {in.theme.removed, 1.6f, Dash::dotted, false}, "removed edges"));

@@ -6,6 +6,7 @@
 #include "core/density/wanted.h"
 #include "core/geometry/circumcircle.h"
 #include "core/quality/bound_figure.h"
+#include "core/vocabulary.h"
 #include "render/pick.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"
@@ -46,7 +47,8 @@ std::vector<std::int32_t> slotsCreated(const Mesh& mesh, const Event& event) {
 // In steps 1 to 4 what is measured is the circumradius about the proposed point.
 void addCircumcircle(const SceneInput& in, Layer& layer) {
   const Event& event = *in.current;
-  if (event.rule < Rule::step1 || event.rule > Rule::step4 || !(event.measured > 0.0)) return;
+  const bool step = wordsOf(event.rule).family == Family::step && event.rule != Rule::step5;
+  if (!step || !(event.measured > 0.0)) return;
   addCircle(in, layer, {event.at, event.measured, 0.0f, {in.theme.candidate, 1.3f, Dash::solid, false}});
 }
 
@@ -93,24 +95,6 @@ void addRefusal(const SceneInput& in, Layer& layer) {
   }
   layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
   if (in.options.labels) layer.labels.push_back(note(in, event.at, std::string(name(event.refusal)), in.theme.refused));
-}
-
-void addFlip(const SceneInput& in, Layer& layer) {
-  const Mesh& mesh = in.state.mesh;
-  const std::vector<std::int32_t> slots = slotsCreated(mesh, *in.current);
-  if (slots.empty()) return;
-  layer.triangles.push_back(patch(mesh, slots, in.theme.created, true));
-  for (const std::int32_t slot : slots) {
-    layer.lines.push_back(outlineOf(mesh, slot, {in.theme.created, 1.8f, Dash::solid, false}));
-  }
-  if (slots.size() != 2) return;
-  for (int i = 0; i < 3; ++i) {
-    const std::int32_t half = 3 * slots[0] + i;
-    const std::int32_t across = oppositeOf(mesh, half);
-    if (across < 0 || triangleOf(across) != slots[1]) continue;
-    layer.lines.push_back(polyline({pointOf(mesh, apexOf(mesh, half)), pointOf(mesh, apexOf(mesh, across))}, false,
-                                   {in.theme.removed, 1.6f, Dash::dotted, false}));
-  }
 }
 
 void addMove(const SceneInput& in, Layer& layer) {
@@ -195,40 +179,35 @@ void buildDecision(const SceneInput& in, Layer& layer) {
   if (in.insertion != nullptr) return buildInsertion(in, layer);
   if (!in.options.decision || in.current == nullptr) return;
   const Event& event = *in.current;
-  switch (event.kind) {
-    case EventKind::vertex_inserted:
-    case EventKind::edge_split:
-      addInsertion(in, layer);
+  const auto mark = [&](Shape shape, float size, Color color, Color halo) {
+    layer.marks.push_back(oneMark(event.at, shape, size, color, halo));
+  };
+  switch (wordsOf(event.kind).picture) {
+    case Picture::none:
       break;
-    case EventKind::vertex_refused:
-    case EventKind::vertex_kept:
-      addRefusal(in, layer);
+    case Picture::place:
+      mark(Shape::ring, 15.0f, in.theme.candidate, {0, 0, 0, 0});
       break;
-    case EventKind::edge_flipped:
-      addFlip(in, layer);
-      break;
-    case EventKind::vertex_moved:
-      addMove(in, layer);
-      break;
-    case EventKind::cell_split:
-    case EventKind::cell_ranked:
+    case Picture::cell:
       addCell(in, layer);
       break;
-    case EventKind::constraint_found:
-    case EventKind::boundary_point:
-      layer.marks.push_back(oneMark(event.at, Shape::ring, 15.0f, in.theme.candidate, {0, 0, 0, 0}));
+    case Picture::insertion:
+      addInsertion(in, layer);
       break;
-    case EventKind::vertex_removed:
+    case Picture::refusal:
+      addRefusal(in, layer);
+      break;
+    case Picture::move:
+      addMove(in, layer);
+      break;
+    case Picture::removal:
       addRemoval(in, layer);
       break;
-    case EventKind::triangle_removed:
-      layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
+    case Picture::carved:
+      mark(Shape::cross, 9.0f, in.theme.removed, in.theme.background);
       break;
-    case EventKind::failure:
-      layer.marks.push_back(oneMark(event.at, Shape::cross, 16.0f, in.theme.refused, in.theme.background));
-      break;
-    case EventKind::stage_begun:
-    case EventKind::stage_finished:
+    case Picture::failure:
+      mark(Shape::cross, 16.0f, in.theme.refused, in.theme.background);
       break;
   }
 }

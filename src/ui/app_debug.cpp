@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/counted.h"
+#include "core/vocabulary.h"
 #include "ui/app.h"
 
 namespace triscope {
@@ -22,20 +23,6 @@ Pick pickOf(Ref ref) {
   return pick;
 }
 
-/// Whether Event::at says where the decision was made.
-bool hasPlace(const Event& event) {
-  switch (event.kind) {
-    case EventKind::constraint_found:
-    case EventKind::boundary_point:
-    case EventKind::vertex_refused:
-    case EventKind::vertex_kept:
-    case EventKind::failure:
-      return true;
-    default:
-      return placesVertex(event);
-  }
-}
-
 }  // namespace
 
 void App::search(const Command& command) {
@@ -47,7 +34,7 @@ void App::search(const Command& command) {
 void App::showFound() {
   if (!searching_ || session_.busy() || shown_ == nullptr) return;
   searching_ = false;
-  if (!shown_->last || !hasPlace(*shown_->last)) return;
+  if (!shown_->last || !wordsOf(shown_->last->kind).placed) return;
   const Point place = shown_->last->at;
   if (shows(ui_.camera, {place, place})) return;
   ui_.camera.centre = place;

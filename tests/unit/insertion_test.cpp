@@ -10,6 +10,7 @@
 
 #include "core/geometry/predicates.h"
 #include "core/pipeline.h"
+#include "core/vocabulary.h"
 #include "support/domains.h"
 #include "support/runs.h"
 

@@ -14,6 +14,7 @@
 #include "core/io/report.h"
 #include "core/mesh/edit.h"
 #include "core/pipeline.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "core/mesh/edit.h"
 #include "core/mesh/validate.h"
+#include "core/vocabulary.h"
 #include "support/meshes.h"
 #include "support/runs.h"
 #include "support/watch.h"

@@ -8,6 +8,7 @@
 
 #include "core/geometry/trig.h"
 #include "core/quality/quality.h"
+#include "core/vocabulary.h"
 #include "support/judge.h"
 #include "support/runs.h"
 

@@ -12,6 +12,7 @@
 #include "core/mesh/badness.h"
 #include "core/mesh/edit.h"
 #include "core/stages/insertion_rules.h"
+#include "core/vocabulary.h"
 #include "support/judge.h"
 #include "support/meshes.h"
 #include "support/runs.h"

@@ -15,6 +15,7 @@
 #include "core/geometry/circumcircle.h"
 #include "core/quality/quality.h"
 #include "core/stages/insertion_rules.h"
+#include "core/vocabulary.h"
 #include "support/domains.h"
 #include "support/runs.h"
 

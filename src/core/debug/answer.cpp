@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/caption.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {
@@ -24,11 +25,6 @@ std::optional<std::size_t> firstBefore(Events events, std::size_t end, Test test
 }
 
 }  // namespace
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
 
 std::string told(Events events, std::size_t index) {
   return fmt::format("Event {}: {}", index, captionOf(events[index]));
@@ -61,32 +57,21 @@ std::optional<std::size_t> reasonFor(Events events, Ref ref, std::size_t end) {
 
 std::optional<std::size_t> causeOf(Events events, std::size_t index) {
   const Event e = events[index];
-  const auto triangle = [&](std::uint32_t id) {
-    return id == kNoId ? std::nullopt : reasonFor(events, {Ref::Kind::triangle, id}, index);
-  };
-  switch (e.kind) {
-    case EventKind::cell_split:
-    case EventKind::cell_ranked:
-      if (e.other == kNoId) return std::nullopt;
-      if (e.rule == Rule::balance || e.rule == Rule::advancing_front)
-        return reasonFor(events, {Ref::Kind::cell, e.other}, index);
-      return firstBefore(events, index,
-                         [&](const Event& c) { return c.kind == EventKind::constraint_found && c.subject == e.other; });
-    case EventKind::vertex_inserted:
-    case EventKind::vertex_refused:
-      if (e.rule == Rule::initial)
-        return firstBefore(events, index,
-                           [&](const Event& p) { return p.kind == EventKind::boundary_point && p.at == e.at; });
-      if (e.rule == Rule::first_front || e.rule == Rule::second_front)
-        return reasonFor(events, {Ref::Kind::vertex, e.other}, index);
-      return triangle(e.subject);
-    case EventKind::edge_split:
-      return triangle(e.other);
-    case EventKind::edge_flipped:
-    case EventKind::vertex_removed:
-    case EventKind::vertex_moved:
-    case EventKind::vertex_kept:
-      return triangle(e.subject);
+  if (e.rule == Rule::initial)
+    return firstBefore(events, index,
+                       [&](const Event& p) { return p.kind == EventKind::boundary_point && p.at == e.at; });
+  const Named origin = originOf(e);
+  switch (origin.what) {
+    case Names::triangle:
+      return reasonFor(events, {Ref::Kind::triangle, origin.id}, index);
+    case Names::vertex:
+      return reasonFor(events, {Ref::Kind::vertex, origin.id}, index);
+    case Names::cell:
+      return reasonFor(events, {Ref::Kind::cell, origin.id}, index);
+    case Names::constraint:
+      return firstBefore(events, index, [&](const Event& c) {
+        return c.kind == EventKind::constraint_found && c.subject == origin.id;
+      });
     default:
       return std::nullopt;
   }

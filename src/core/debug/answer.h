@@ -8,8 +8,6 @@
 
 namespace triscope {
 
-std::string capitalised(std::string text);
-
 /// "Event 1204: Step 3 put vertex 611 …"
 std::string told(Events events, std::size_t index);
 

@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "core/debug/condition_parser.h"
+#include "core/debug/element_events.h"
 #include "core/debug/validity.h"
 #include "core/pipeline.h"
 #include "core/quality/quality.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {
@@ -100,20 +102,19 @@ bool boundBroken(const RunningQuality& q) {
 }
 
 bool flagOf(Field field, const Moment& m) {
-  const EventKind kind = m.event.kind;
   switch (field) {
     case Field::inserted:
-      return kind == EventKind::vertex_inserted || kind == EventKind::edge_split;
+      return does(m.event, kInserts);
     case Field::refused:
       return m.event.refusal != Refusal::none;
     case Field::moved:
-      return kind == EventKind::vertex_moved;
+      return does(m.event, kMoves);
     case Field::removed:
-      return kind == EventKind::vertex_removed || kind == EventKind::triangle_removed;
+      return does(m.event, kRemoves);
     case Field::split:
-      return kind == EventKind::cell_split || kind == EventKind::edge_split;
+      return does(m.event, kSplits);
     case Field::failed:
-      return kind == EventKind::failure;
+      return m.event.kind == EventKind::failure;
     case Field::finished:
       return m.state.stage == Stage::finished;
     case Field::bound_broken:
@@ -148,21 +149,8 @@ int nameOf(Field field, const Moment& m) {
   }
 }
 
-bool isCell(EventKind kind) { return kind == EventKind::cell_split || kind == EventKind::cell_ranked; }
-bool isBoundary(EventKind kind) {
-  return kind == EventKind::constraint_found || kind == EventKind::boundary_point || kind == EventKind::stage_begun ||
-         kind == EventKind::stage_finished;
-}
-
-// True when the event is about the element: its subject, what it was held against, or what it made.
-bool touches(Field field, std::uint32_t id, const Event& e) {
-  const bool made = e.created != kNoId && id >= e.created && id - e.created < e.createdCount;
-  if (field == Field::vertex) return e.vertex == id;
-  if (field == Field::cell) return isCell(e.kind) && (e.subject == id || e.other == id || made);
-  if (isCell(e.kind) || isBoundary(e.kind) || e.kind == EventKind::edge_split) {
-    return e.kind == EventKind::edge_split && made;
-  }
-  return e.subject == id || made;
+Ref::Kind refKindOf(Field field) {
+  return field == Field::vertex ? Ref::Kind::vertex : field == Field::cell ? Ref::Kind::cell : Ref::Kind::triangle;
 }
 
 }  // namespace
@@ -225,8 +213,7 @@ std::vector<std::string> namesOf(std::string_view word) {
   if (word == "stage") {
     for (const StageInfo& info : stages()) list.emplace_back(info.key);
   } else if (word == "event") {
-    for (int k = 0; k <= static_cast<int>(EventKind::failure); ++k)
-      list.push_back(plain(name(static_cast<EventKind>(k))));
+    for (int k = 0; k < kEventKindCount; ++k) list.push_back(plain(name(static_cast<EventKind>(k))));
   } else if (word == "rule") {
     for (int k = 0; k < kRuleCount; ++k) list.push_back(plain(name(static_cast<Rule>(k))));
   } else {
@@ -255,7 +242,7 @@ bool Condition::holds(const Moment& m) const {
                  (static_cast<Compare>(step.compare) == Compare::equal);
         break;
       case Step::Code::id:
-        result = touches(field, static_cast<std::uint32_t>(step.value), m.event) ==
+        result = isAbout(m.event, {refKindOf(field), static_cast<std::uint32_t>(step.value)}) ==
                  (static_cast<Compare>(step.compare) == Compare::equal);
         break;
       case Step::Code::inside:

@@ -1,58 +1,28 @@
 #include "core/debug/element_events.h"
 
-#include <algorithm>
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {
 
-bool isCellEvent(EventKind kind) { return kind == EventKind::cell_split || kind == EventKind::cell_ranked; }
-
-/// What Event::subject and Event::other are ids of, where they are ids of elements.
-struct Roles {
-  std::optional<Ref::Kind> subject;
-  std::optional<Ref::Kind> other;
-};
-
-Roles rolesOf(const Event& e) {
-  using Kind = Ref::Kind;
-  const bool ofFront = e.rule == Rule::first_front || e.rule == Rule::second_front;
-  switch (e.kind) {
-    case EventKind::cell_split:
-    case EventKind::cell_ranked:
-      // A constraint's split or rank names the constraint, a neighbour's the neighbour.
-      if (e.rule == Rule::balance || e.rule == Rule::advancing_front) return {Kind::cell, Kind::cell};
-      return {Kind::cell, std::nullopt};
-    case EventKind::vertex_inserted:
-    case EventKind::vertex_refused:
-      if (e.rule == Rule::initial) return {};
-      if (ofFront) return {std::nullopt, Kind::vertex};
-      return {Kind::triangle, Kind::triangle};
-    case EventKind::edge_flipped:
-      return {Kind::triangle, Kind::triangle};
-    case EventKind::vertex_removed:
-    case EventKind::triangle_removed:
-    case EventKind::vertex_moved:
-    case EventKind::vertex_kept:
-      return {Kind::triangle, std::nullopt};
-    case EventKind::edge_split:  // of repair: the triangle that it was made for
-      return {std::nullopt, Kind::triangle};
-    default:
-      return {};
+Names namesOf(Ref::Kind kind) {
+  switch (kind) {
+    case Ref::Kind::triangle:
+      return Names::triangle;
+    case Ref::Kind::vertex:
+      return Names::vertex;
+    case Ref::Kind::cell:
+      return Names::cell;
+    case Ref::Kind::event:
+      break;
   }
+  return Names::nothing;
 }
 
 bool makesElementsOf(const Event& e, Ref::Kind kind) {
-  switch (kind) {
-    case Ref::Kind::vertex:
-      return (e.kind == EventKind::vertex_inserted || e.kind == EventKind::edge_split) && e.vertex != kNoId;
-    case Ref::Kind::cell:
-      return e.kind == EventKind::cell_split;
-    case Ref::Kind::triangle:
-      return e.createdCount > 0 && !isCellEvent(e.kind);
-    case Ref::Kind::event:
-      return true;
-  }
-  return false;
+  if (kind == Ref::Kind::event) return true;
+  if (kind == Ref::Kind::vertex) return does(e, kInserts) && e.vertex != kNoId;
+  return wordsOf(e.kind).created == namesOf(kind) && e.created != kNoId;
 }
 
 /// False when none of those events makes elements of the kind.
@@ -91,9 +61,9 @@ bool made(const Event& event, Ref ref) {
 bool isAbout(const Event& event, Ref ref) {
   if (ref.kind == Ref::Kind::event) return false;
   if (made(event, ref)) return true;
-  const Roles roles = rolesOf(event);
-  return (roles.subject == ref.kind && event.subject == ref.id) || (roles.other == ref.kind && event.other == ref.id) ||
-         (ref.kind == Ref::Kind::vertex && event.vertex == ref.id);
+  const Names what = namesOf(ref.kind);
+  return (wordsOf(event.kind).subject == what && event.subject == ref.id) ||
+         (otherOf(event) == what && event.other == ref.id) || (ref.kind == Ref::Kind::vertex && event.vertex == ref.id);
 }
 
 bool mayBeAbout(const Mentioned& events, Ref ref) {

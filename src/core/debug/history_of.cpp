@@ -6,11 +6,12 @@
 #include "core/debug/answer.h"
 #include "core/debug/shape_story.h"
 #include "core/debug/why.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {
 
-bool isRefusal(const Event& e) { return e.kind == EventKind::vertex_kept || e.kind == EventKind::vertex_refused; }
+bool isRefusal(const Event& e) { return wordsOf(e.kind).picture == Picture::refusal; }
 
 bool alike(const Event& a, const Event& b) {
   return isRefusal(a) && a.kind == b.kind && a.rule == b.rule && a.refusal == b.refusal;

@@ -4,13 +4,14 @@
 
 #include <array>
 
+#include "core/fields.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/locate.h"
 
 namespace triscope {
 namespace {
 
-bool isStep(Rule rule) { return rule >= Rule::step1 && rule <= Rule::step5; }
+bool isStep(Rule rule) { return wordsOf(rule).family == Family::step; }
 
 /// Where the stage began to walk: at the candidate, at the vertex that a front's point stands off, or where the last
 /// insertion left off.
@@ -54,46 +55,41 @@ std::optional<Measured> measuredBy(const Mesh& mesh, const Insertion& insertion)
   return std::nullopt;
 }
 
-std::string number(double value) { return fmt::format("{:.4g}", value); }
-std::string place(Point p) { return fmt::format("({}, {})", number(p.x), number(p.y)); }
-
 std::string candidateCaption(const Insertion& insertion) {
   const Event& e = insertion.event;
   if (insertion.splits >= 0)
-    return fmt::format("A boundary edge is to be split at {}, half way along its curve: {}.", place(insertion.at),
+    return fmt::format("A boundary edge is to be split at {}, half way along its curve: {}.", shortPlace(insertion.at),
                        describe(e.rule));
-  if (!insertion.measured) return fmt::format("A point is to go in at {}: {}.", place(insertion.at), describe(e.rule));
+  if (!insertion.measured)
+    return fmt::format("A point is to go in at {}: {}.", shortPlace(insertion.at), describe(e.rule));
   const Measured& m = *insertion.measured;
   if (insertion.owner >= 0)
     return fmt::format(
         "A point off vertex {} is to go in at {}, {} away. No other vertex may be nearer to it than {} (dashed).",
-        insertion.owner, place(insertion.at), number(m.length), number(m.limit));
+        insertion.owner, shortPlace(insertion.at), shortNumber(m.length), shortNumber(m.limit));
   const std::string other = m.limitFrom == kNoId ? std::string() : fmt::format(" of triangle {}", m.limitFrom);
-  constexpr std::array<std::string_view, 5> kLimits{
-      "the edge length h wanted at the circumcentre", "the smallest edge length h wanted at its corners",
-      "its shortest edge e", "the shortest edge e", "shortest edge and height, e + height,"};
-  const std::string_view limit = kLimits[static_cast<std::size_t>(e.rule) - static_cast<std::size_t>(Rule::step1)];
+  const std::string_view limit = wordsOf(e.rule).limit;
   if (e.rule == Rule::step5)
     return fmt::format(
         "Triangle {} is the candidate. Its apex lies {} from the middle of the edge that it shares with triangle {}; "
         "the limit is that one's {} = {} (dashed).",
-        e.subject, number(m.length), m.limitFrom, limit, number(m.limit));
+        e.subject, shortNumber(m.length), m.limitFrom, limit, shortNumber(m.limit));
   return fmt::format("Triangle {} is the candidate. Its circumcircle has R = {}; the limit is {}{} = {} (dashed).",
-                     e.subject, number(m.length), limit, other, number(m.limit));
+                     e.subject, shortNumber(m.length), limit, other, shortNumber(m.limit));
 }
 
 std::string walkCaption(const Insertion& insertion, const Mesh& mesh) {
   if (insertion.walk.empty())
     return fmt::format("The point lies on the boundary edge itself, at {}: there is no way to look for.",
-                       place(insertion.at));
+                       shortPlace(insertion.at));
   const std::uint32_t first = idOf(mesh, insertion.walk.front());
   const std::uint32_t last = idOf(mesh, insertion.walk.back());
   if (insertion.walk.size() == 1)
     return fmt::format("Triangle {} holds the point {} itself: the walk is over where it begins.", first,
-                       place(insertion.at));
+                       shortPlace(insertion.at));
   return fmt::format("From triangle {} the walk crosses {} {} to triangle {}, which holds the point {}.", first,
                      insertion.walk.size() - 1, insertion.walk.size() == 2 ? "edge" : "edges", last,
-                     place(insertion.at));
+                     shortPlace(insertion.at));
 }
 
 std::string cavityCaption(const Insertion& insertion) {
@@ -129,7 +125,7 @@ std::optional<Insertion> takeApart(const MeshState& before, const Event& event) 
   insertion.event = event;
   insertion.at = event.at;
   const bool split = event.kind == EventKind::edge_split;
-  const bool front = event.rule == Rule::first_front || event.rule == Rule::second_front;
+  const bool front = wordsOf(event.rule).family == Family::front;
   if (isStep(event.rule) || (event.rule == Rule::repair && !split)) insertion.candidate = slotOf(mesh, event.subject);
   if (front && event.other != kNoId) insertion.owner = static_cast<std::int32_t>(event.other);
   if (split && event.rule != Rule::recover_edge) insertion.splits = halfOf(mesh, event.subject);

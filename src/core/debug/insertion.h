@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/event.h"
 #include "core/mesh/cavity.h"
 #include "core/state.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 
@@ -38,9 +38,7 @@ struct Insertion {
 };
 
 /// Whether a decision put a vertex into the triangulation.
-inline bool inserts(const Event& event) {
-  return event.vertex != kNoId && (event.kind == EventKind::vertex_inserted || event.kind == EventKind::edge_split);
-}
+inline bool inserts(const Event& event) { return event.vertex != kNoId && does(event, kInserts); }
 
 /// `before` is the state right before the decision of `event`, which must be one that inserts(). Nothing when there is
 /// no triangulation yet.

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/quality/quality.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 

@@ -9,6 +9,7 @@
 #include "core/counted.h"
 #include "core/debug/answer.h"
 #include "core/debug/shape_story.h"
+#include "core/fields.h"
 
 namespace triscope {
 namespace {

@@ -6,6 +6,8 @@
 
 #include "core/debug/answer.h"
 #include "core/debug/why.h"
+#include "core/fields.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {
@@ -13,21 +15,13 @@ namespace {
 struct Trial {
   Rule rule;
   Stage stage;
-  std::string_view foundNothing;  // what was true when it had a look and proposed nothing
 };
 constexpr std::array kTrials{
-    Trial{Rule::step1, Stage::step1, "its circumradius R was below the edge length h wanted at its circumcentre"},
-    Trial{Rule::step2, Stage::step2, "its circumradius R was below the smallest edge length h wanted at its corners"},
-    Trial{Rule::step3, Stage::step3, "its circumradius R was below its shortest edge e"},
-    Trial{Rule::step4, Stage::step4,
-          "its circumradius R was below the shortest edge e of every neighbour that it is much larger than"},
-    Trial{Rule::step5, Stage::step5,
-          "its apex was nearer to the middle of every shared edge than that neighbour's e + height"},
-    Trial{Rule::repair, Stage::repair, "it broke no bound, on its own or with a neighbour"},
-    Trial{Rule::laplacian, Stage::refine, "its corners lie on the boundary, or were settled already"},
-    Trial{Rule::reduce_obtuse, Stage::refine, "it had no obtuse angle, or none with a side that is free to move"},
-    Trial{Rule::shared_edge, Stage::refine, "no neighbour was twice as large, or the shared edge lies on the boundary"},
-    Trial{Rule::polish, Stage::refine, "it was far from the worst of the mesh, and not obtuse"},
+    Trial{Rule::step1, Stage::step1},        Trial{Rule::step2, Stage::step2},
+    Trial{Rule::step3, Stage::step3},        Trial{Rule::step4, Stage::step4},
+    Trial{Rule::step5, Stage::step5},        Trial{Rule::repair, Stage::repair},
+    Trial{Rule::laplacian, Stage::refine},   Trial{Rule::reduce_obtuse, Stage::refine},
+    Trial{Rule::shared_edge, Stage::refine}, Trial{Rule::polish, Stage::refine},
 };
 
 /// Proposals of one rule that had the same outcome; `last` is the latest event of them.
@@ -44,23 +38,17 @@ struct Review {
   std::array<bool, kStageCount> endedBefore{};                 // by stage: it ended before the triangle was made
 };
 
-bool isMove(EventKind kind) { return kind == EventKind::vertex_moved || kind == EventKind::vertex_kept; }
-
-bool isProposal(EventKind kind) {
-  return kind == EventKind::vertex_inserted || kind == EventKind::vertex_refused || kind == EventKind::edge_split ||
-         kind == EventKind::vertex_removed || isMove(kind);
-}
-
-/// True when the proposal is for the triangle; those of the Laplacian filter and of polishing are for one of its
-/// corners.
+/// True when the proposal is for the triangle, or for one of its corners.
 bool isFor(const Event& e, std::uint32_t triangle, const TriangleFacts& facts) {
-  if (e.rule == Rule::laplacian || e.rule == Rule::polish)
+  if (wordsOf(e.rule).ofVertices)
     return std::find(facts.corners.begin(), facts.corners.end(), e.vertex) != facts.corners.end();
-  return (e.kind == EventKind::edge_split ? e.other : e.subject) == triangle;
+  const Named origin = originOf(e);
+  return origin.what == Names::triangle && origin.id == triangle;
 }
 
 bool alike(const Event& a, const Event& b) {
-  return a.kind == b.kind && a.refusal == b.refusal && (!isMove(a.kind) || a.vertex == b.vertex);
+  const bool move = does(a, kMoves) || a.kind == EventKind::vertex_kept;
+  return a.kind == b.kind && a.refusal == b.refusal && (!move || a.vertex == b.vertex);
 }
 
 void add(Events events, std::size_t index, std::vector<Outcomes>& list) {
@@ -89,7 +77,7 @@ Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const Tr
   for (std::size_t k = life.next(birth, may); k < life.size(); k = life.next(k + 1, may)) {
     const Event& e = life.peek(k);
     if (e.kind == EventKind::stage_finished) review.ended[static_cast<std::size_t>(e.stage)] = k;
-    if (!isProposal(e.kind) || !isFor(e, triangle, facts)) continue;
+    if (!does(e, kProposes) || !isFor(e, triangle, facts)) continue;
     const auto trial = std::find_if(kTrials.begin(), kTrials.end(), [&](const Trial& t) { return t.rule == e.rule; });
     if (trial != kTrials.end()) add(life, k, review.outcomes[static_cast<std::size_t>(trial - kTrials.begin())]);
   }
@@ -98,11 +86,11 @@ Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const Tr
 
 /// Of a rule that proposed nothing: that it had a look and found nothing to do, or why it had none.
 std::string silence(Events life, const Review& review, const Trial& trial, bool gone) {
-  const std::string rule = capitalised(std::string(name(trial.rule)));
+  const std::string rule = capitalised(name(trial.rule));
   if (const auto end = review.ended[static_cast<std::size_t>(trial.stage)]) {
     const std::uint16_t round = trial.stage == Stage::refine ? std::uint16_t{0} : life[*end].round;
     return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end,
-                       round > 0 ? fmt::format(", round {}", round) : std::string(), trial.foundNothing);
+                       round > 0 ? fmt::format(", round {}", round) : std::string(), wordsOf(trial.rule).silent);
   }
   const bool before = review.endedBefore[static_cast<std::size_t>(trial.stage)];
   return fmt::format("{} has proposed nothing: {}.", rule,
@@ -124,8 +112,7 @@ std::vector<Line> whyNot(Events events, std::uint32_t triangle, const TriangleFa
   const Events life = facts.death ? events.first(*facts.death + 1) : events;
   const Review review = reviewOf(life, birth.value_or(0), triangle, facts);
   for (std::size_t k = 0; k < kTrials.size(); ++k) {
-    const bool byCorner = kTrials[k].rule == Rule::laplacian || kTrials[k].rule == Rule::polish;
-    if (byCorner && facts.corners[0] == kNoId) continue;
+    if (wordsOf(kTrials[k].rule).ofVertices && facts.corners[0] == kNoId) continue;
     for (const Outcomes& outcome : review.outcomes[k]) {
       answer.say(told(events, outcome.last) +
                  (outcome.count > 1 ? fmt::format(" The last of {} times.", outcome.count) : std::string()));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/vocabulary.h"
+
 namespace triscope {
 namespace {
 

@@ -1,61 +1,56 @@
 #include "core/io/events_file.h"
 
-#include <array>
 #include <string_view>
 
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
+#include "core/vocabulary.h"
 
 namespace triscope {
 namespace {
 
-/// What `subject` and `created` are ids of, by EventKind in order; empty: the kind has no such number.
-struct Keys {
-  std::string_view subject;
-  std::string_view created;
-};
-constexpr std::array kKeys = std::to_array<Keys>({
-    {"", ""},                             // stage_begun: the round, which every event has
-    {"constraint", ""},                   // constraint_found
-    {"cell", "first_cell"},               // cell_split
-    {"cell", ""},                         // cell_ranked
-    {"curve", ""},                        // boundary_point
-    {"triangle", "first_triangle"},       // vertex_inserted
-    {"triangle", ""},                     // vertex_refused
-    {"boundary_edge", "first_triangle"},  // edge_split
-    {"triangle", "first_triangle"},       // vertex_removed
-    {"triangle", ""},                     // triangle_removed
-    {"triangle", "first_triangle"},       // edge_flipped
-    {"triangle", "first_triangle"},       // vertex_moved
-    {"triangle", ""},                     // vertex_kept
-    {"changes", ""},                      // stage_finished
-    {"subject", ""},                      // failure
-});
-static_assert(kKeys.size() == static_cast<std::size_t>(EventKind::failure) + 1);
-
-/// What `other` is an id of.
-std::string_view otherKey(const Event& event) {
-  switch (event.kind) {
-    case EventKind::constraint_found:
-      return "curve";
-    case EventKind::cell_split:
-      return event.rule == Rule::advancing_front || event.rule == Rule::balance ? "from_cell" : "constraint";
-    case EventKind::edge_split:
+std::string_view keyOf(Names what) {
+  switch (what) {
+    case Names::triangle:
       return "triangle";
-    case EventKind::cell_ranked:
-      return event.rule == Rule::advancing_front ? "from_cell" : "constraint";
-    case EventKind::boundary_point:
+    case Names::vertex:
+      return "vertex";
+    case Names::cell:
+      return "cell";
+    case Names::constraint:
+      return "constraint";
+    case Names::curve:
+      return "curve";
+    case Names::boundary_edge:
+      return "boundary_edge";
+    case Names::boundary_point:
       return "boundary_point";
-    case EventKind::edge_flipped:
-      return "other_triangle";
-    case EventKind::vertex_inserted:
-    case EventKind::vertex_refused:
-      if (event.rule == Rule::initial) return "curve";
-      if (event.rule == Rule::first_front || event.rule == Rule::second_front) return "from_vertex";
-      return "other_triangle";
-    default:
-      return "other";
+    case Names::changes:
+      return "changes";
+    case Names::nothing:
+      break;
   }
+  return "";
+}
+
+/// Of the other element: told from the subject, where both are triangles, and from what the event made.
+std::string_view otherKey(const Event& event) {
+  switch (const Names what = otherOf(event)) {
+    case Names::triangle:
+      return wordsOf(event.kind).subject == Names::triangle ? "other_triangle" : "triangle";
+    case Names::cell:
+      return "from_cell";
+    case Names::vertex:
+      return "from_vertex";
+    case Names::nothing:
+      return "other";
+    default:
+      return keyOf(what);
+  }
+}
+
+std::string_view createdKey(Names what) {
+  return what == Names::cell ? "first_cell" : what == Names::triangle ? "first_triangle" : "";
 }
 
 /// The members of one object, appended to a buffer.
@@ -101,24 +96,24 @@ class Line {
 
 void appendEvent(TextBuffer& out, const Event& event, std::uint64_t number) {
   const bool ofStage = event.kind == EventKind::stage_begun || event.kind == EventKind::stage_finished;
-  const Keys& keys = kKeys[static_cast<std::size_t>(event.kind)];
+  const KindWords& words = wordsOf(event.kind);
   Line line(out, number);
-  line.word("kind", name(event.kind));
+  line.word("kind", words.name);
   line.word("stage", infoOf(event.stage).key);
   if (event.round > 0) line.number("round", event.round);
   if (event.rule != Rule::none) line.word("rule", name(event.rule));
   if (event.refusal != Refusal::none) line.word("refusal", name(event.refusal));
-  line.id(keys.subject, event.subject);
+  line.id(keyOf(words.subject), event.subject);
   line.id(otherKey(event), event.other);
   line.id("vertex", event.vertex);
-  line.id(keys.created, event.created);
+  line.id(createdKey(words.created), event.created);
   if (event.createdCount > 0) line.number("created", event.createdCount);
   if (event.removedCount > 0) line.number("removed", event.removedCount);
   if (!ofStage && (event.measured != 0.0 || event.limit != 0.0)) {
     line.real("measured", event.measured);
     line.real("limit", event.limit);
   }
-  if (event.kind == EventKind::vertex_moved) line.point("from", event.from);
+  if (does(event, kMoves)) line.point("from", event.from);
   if (!ofStage) line.point("at", event.at);
   line.finish();
 }
