@@ -124,6 +124,19 @@ TEST(Includes, ViewersDoNotReadATreeThatMayBeEmpty) {
     }
 }
 
+/// A rank is a multiple of the tree's length and not of the Δx in force: only the density multiplies, in edgeLengthOf()
+/// and lengthWanted().
+TEST(Includes, TheLengthOfARankIsWorkedOutByTheDensityAlone) {
+  const fs::path root = fs::path(TRISCOPE_SOURCE_DIR) / "src";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.path().lexically_relative(root).generic_string().starts_with("core/density/")) continue;
+    std::ifstream stream(entry.path());
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number)
+      EXPECT_EQ(line.find("rankLength("), std::string::npos) << entry.path() << ":" << number << ": " << line;
+  }
+}
+
 TEST(Includes, TheGuardSeesWhatItMustRefuse) {
   EXPECT_EQ(complaint("core/mesh/mesh.cpp", "core/geometry/point.h"), "");
   EXPECT_NE(complaint("core/geometry/point.h", "core/mesh/mesh.h"), "");

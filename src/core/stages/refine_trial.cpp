@@ -38,7 +38,7 @@ Refusal judge(const MeshState& state, Rule rule, const Badness& was, const Badne
 
 // Δx, or less where kept input edges made the density finer than that.
 double shortestAllowed(const MeshState& state, std::uint8_t finestRank) {
-  return std::min(state.minEdge, state.tree.minEdge * rankLength(finestRank));
+  return std::min(state.minEdge, edgeLengthOf(state.tree, finestRank));
 }
 
 Trial judged(const MeshState& state, Rule rule, const Badness& was, const Badness& is, double minEdge) {
