@@ -1,36 +1,9 @@
 // A digest of a state, to compare runs by.
-#include <bit>
-#include <cstring>
-#include <span>
-
+#include "core/digest.h"
 #include "core/state.h"
 
 namespace triscope {
 namespace {
-
-// Multiply-rotate mixing of 64-bit words; the constants are odd with well-spread bits.
-struct Digest {
-  std::uint64_t value = 0x9e3779b97f4a7c15ull;
-
-  void word(std::uint64_t w) {
-    value = std::rotl(value ^ (w * 0xbf58476d1ce4e5b9ull), 29) * 0x94d049bb133111ebull;
-    value ^= value >> 32;
-  }
-  void number(double d) { word(std::bit_cast<std::uint64_t>(d)); }
-  void point(Point p) {
-    number(p.x);
-    number(p.y);
-  }
-  template <class T>
-  void integers(const std::vector<T>& list) {
-    word(list.size());
-    for (const T v : list) word(static_cast<std::uint64_t>(v));
-  }
-  void points(const std::vector<Point>& list) {
-    word(list.size());
-    for (const Point p : list) point(p);
-  }
-};
 
 void add(Digest& digest, const Mesh& mesh) {
   digest.points(mesh.points);

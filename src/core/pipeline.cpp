@@ -169,6 +169,9 @@ Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& se
     error.file = domain->file;
     return error;
   }
+  // The tree's length is known before its first cell, so that edgeLengthOf() answers at any moment.
+  state.tree.minEdge = finest;
+  state.tree.minEdgeInverse = 1.0 / finest;
   state.domain = std::move(domain);
   return state;
 }

@@ -115,7 +115,7 @@ Asker askerOf(const MeshState& state) {
   }
   const Group& most = *std::ranges::max_element(groups, {}, &Group::triangles);
   if (most.curve == kNoId)
-    return {Rule::none, kNoId, state.tree.minEdge * rankLength(state.settings.maxRank), groups[byRank].at,
+    return {Rule::none, kNoId, edgeLengthOf(state.tree, state.settings.maxRank), groups[byRank].at,
             fmt::format("the setting max_rank = {}", state.settings.maxRank)};
   return {most.source, most.curve, most.finest, most.at, nameOf(domain, most.source, most.curve)};
 }

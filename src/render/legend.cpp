@@ -85,8 +85,8 @@ LegendItem rankRamp(const SceneInput& in) {
     const int rank = steps == 1 ? range.lowest : range.lowest + (range.highest - range.lowest) * i / (steps - 1);
     ramp.ramp.push_back(rankColor(in.options.scale, in.theme, rank, range.lowest, range.highest));
   }
-  ramp.low = fmt::format("{} (h = {})", range.lowest, compact(in.state.minEdge * rankLength(range.lowest)));
-  ramp.high = fmt::format("{} ({})", range.highest, compact(in.state.minEdge * rankLength(range.highest)));
+  ramp.low = fmt::format("{} (h = {})", range.lowest, compact(edgeLengthOf(in.state.tree, range.lowest)));
+  ramp.high = fmt::format("{} ({})", range.highest, compact(edgeLengthOf(in.state.tree, range.highest)));
   return ramp;
 }
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -116,7 +117,7 @@ struct Label {
 };
 
 struct Layer {
-  std::uint64_t key = 0;  // of its content; 0: never built
+  std::uint64_t key = 0;  // of what it was built from; 0: never built
   std::vector<SquareBatch> squares;
   std::vector<TriangleBatch> triangles;
   std::vector<LineBatch> lines;
@@ -143,6 +144,8 @@ struct Scene {
   std::vector<LegendItem> legend;
   std::size_t brushed = 0;  // triangles that are marked
   Theme theme;
+  std::shared_ptr<const Domain> domain;
+  std::uint64_t domainHash = 0;
   Box bounds;    // of the domain
   Point origin;  // middle of the bounds: subtract before converting to float
   [[nodiscard]] const Layer& layer(LayerId id) const { return layers[static_cast<std::size_t>(id)]; }

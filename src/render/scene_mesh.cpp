@@ -72,7 +72,7 @@ std::vector<float> areaRatios(const Mesh& mesh) {
 
 // Typical distance to the neighbours of a vertex, from the density rank where it was placed.
 float spacingOf(const MeshState& state, std::int32_t vertex) {
-  return static_cast<float>(state.minEdge * rankLength(std::max<int>(1, state.mesh.density[at(vertex)])));
+  return static_cast<float>(edgeLengthOf(state.tree, std::max<int>(1, state.mesh.density[at(vertex)])));
 }
 
 MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {

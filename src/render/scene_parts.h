@@ -10,6 +10,7 @@ struct SceneInput {
   const MeshState& state;
   const ViewOptions& options;
   const Theme& theme;
+  std::uint64_t domainHash = 0;
   const Event* current = nullptr;
   const Quality* quality = nullptr;
   const InsertionView* insertion = nullptr;

@@ -56,6 +56,14 @@ class App {
   /// After the frame is on the screen.
   void finishFrame(double milliseconds);
 
+  /// What is done for an action, whatever asks for it.
+  struct Deed {
+    Action id;
+    std::string (*whyNot)(const View&);  // empty when it can be done
+    void (*perform)(App&);
+  };
+  static const Deed& deedOf(Action action);
+
   [[nodiscard]] bool closing() const { return closing_; }
   /// True while the picture changes by itself.
   [[nodiscard]] bool animating() const { return session_.busy() || (pinned_ && pinned_->session().busy()); }
@@ -125,7 +133,6 @@ class App {
 
   void carryOut(const Order& order);
   void perform(Action action);
-  void performOnRun(Action action);
   void apply(const Command& command);
   void change(const Settings& settings);
   [[nodiscard]] Edit inForce() const { return {session_.settings(), session_.domain()}; }
@@ -140,9 +147,13 @@ class App {
   void fit();
   void zoomMiddle(double factor);
   void setScale(double scale);
-  void toggle(Action action);
+  void toggleQuadtree();
+  void toggleBottom(const char* panel);
+  void undo();
+  void redo();
+  void askWhereToSave();
+  void askWhereToExport(const char* extension);
   void cancel();
-  void performDebug(Action action);
   void search(const Command& command);
   void showFound();
   void toggleBreakpoint();

@@ -10,8 +10,6 @@
 namespace triscope {
 namespace {
 
-constexpr int kFramesToType = 5;  // until keys go elsewhere again, should the field not take them
-
 /// The place of an element in the mesh is found afterwards, by its id.
 Pick pickOf(Ref ref) {
   Pick pick;
@@ -39,58 +37,6 @@ void App::showFound() {
   if (shows(ui_.camera, {place, place})) return;
   ui_.camera.centre = place;
   fitted_ = false;
-}
-
-void App::performDebug(Action action) {
-  DebugUi& debug = ui_.debug;
-  const auto show = [&debug](const char* panel) { debug.bottom = debug.bottom == panel ? "" : panel; };
-  switch (action) {
-    case Action::continue_forward:
-      return search(command::Continue{false});
-    case Action::continue_back:
-      return search(command::Continue{true});
-    case Action::breakpoint:
-      return toggleBreakpoint();
-    case Action::first_violation:
-      return search(command::FindViolation{});
-    case Action::bookmark:
-      return toggleBookmark();
-    case Action::previous_mark:
-      return goToMark(false);
-    case Action::next_mark:
-      return goToMark(true);
-    case Action::why:
-      wantedTab_ = "Why";
-      return;
-    case Action::breakpoints_panel:
-      show("Breakpoints");
-      ui_.debug.typeSoon = ui_.debug.bottom == "Breakpoints" ? kFramesToType : 0;
-      return;
-    case Action::plots_panel:
-      return show("Plots");
-    case Action::pin_run:
-      return togglePinned();
-    case Action::first_difference:
-      return apply(command::SeekEvent{*pinned_->firstDifference()});
-    case Action::compare_panel:
-      return show("Compare");
-    case Action::sweep_panel:
-      return show("Sweep");
-    case Action::run_sweep:
-      return runSweep();
-    case Action::save_sweep:
-      exportDialog_.prepare(suggestedPath("-sweep.csv"));
-      return openDialog(Dialog::export_to);
-    case Action::cell_left:
-    case Action::cell_right:
-    case Action::cell_down:
-    case Action::cell_up:
-      return moveCell(action);
-    case Action::take_cell:
-      return takeCell();
-    default:
-      return;
-  }
 }
 
 void App::toggleBreakpoint() {

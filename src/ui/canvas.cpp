@@ -88,9 +88,21 @@ void aboutTheElement(const View& view, Orders& orders, Point mouse) {
     if (pressed) orders.emplace_back(order::SelectElement{here});
     return pressed;
   };
+  // An action is offered where it can be done once the element is selected.
+  UiState selected = view.ui;
+  selected.selected = here;
+  const View then{view.session,        selected,     view.scene,  view.fonts,  view.debug, view.canvasTexture,
+                  view.legendOnCanvas, view.widgets, view.pinned, view.tooltip};
+  const auto ask = [&](Action action, const char* label, const char* name) {
+    Orders asked;
+    actionEntry(then, asked, action, label, name);
+    if (asked.empty()) return;
+    orders.emplace_back(order::SelectElement{here});
+    orders.insert(orders.end(), asked.begin(), asked.end());
+  };
   entry(("Select " + (ref ? nameOf(*ref) : "what is here")).c_str(), "click", "context.select");
-  if (entry("Why is it here?", keysOf(infoOf(Action::why)), "context.why")) orders.emplace_back(Action::why);
-  if (entry("Break here", keysOf(infoOf(Action::breakpoint)), "context.break")) orders.emplace_back(Action::breakpoint);
+  ask(Action::why, "Why is it here?", "context.why");
+  ask(Action::breakpoint, "Break here", "context.break");
   if (entry("History", "", "context.history")) orders.emplace_back(order::ShowTab{"History"});
 }
 
@@ -108,7 +120,7 @@ void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
   if (ImGui::MenuItem("Copy coordinates"))
     ImGui::SetClipboardText(fmt::format("{:.17g}, {:.17g}", world.x, world.y).c_str());
   ImGui::Separator();
-  if (ImGui::MenuItem("Fit", textOf(infoOf(Action::fit).chords[0]).c_str())) orders.emplace_back(Action::fit);
+  actionEntry(view, orders, Action::fit, "Fit", "context.fit");
   ImGui::EndPopup();
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/density/sources.h"
 #include "core/density/wanted.h"
 #include "core/number.h"
 #include "ui/density_handles.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr int kCoarsestRank = 64;
 
-/// The rank whose edge length is nearest.
+/// The rank whose edge length is nearest. Ranks of a constraint are multiples of the Δx in force, see lengthWanted(),
+/// and not of the tree's own length: what a domain file asks for does not change with its shortest edge.
 int rankOf(double length, double minEdge) {
   return std::clamp(static_cast<int>(std::lround(3.0 * std::log2(length / minEdge))) + 1, 1, kCoarsestRank);
 }
@@ -29,7 +31,7 @@ bool wish(const View& view, DensityRequest& request) {
   bool byRank = request.rank > 0;
   bool changed = false;
   if (ImGui::RadioButton("edge length", !byRank) && byRank) {
-    request.length = std::max(minEdge * rankLength(request.rank), domain.minEdgeLength);
+    request.length = std::max(lengthWanted(request, minEdge), domain.minEdgeLength);
     request.rank = 0;
     changed = true;
   }

@@ -30,16 +30,6 @@ bool endsGroup(Action action) {
   }
 }
 
-void item(const View& view, Orders& orders, const ActionInfo& info) {
-  const std::string reason = whyNot(info.id, view);
-  const std::string label(info.label);
-  const std::string keys = info.chords[0].key == 0 ? std::string() : textOf(info.chords[0]);
-  if (ImGui::MenuItem(label.c_str(), keys.c_str(), isOn(info.id, view.ui).value_or(false), reason.empty()))
-    orders.emplace_back(info.id);
-  note(view, std::string("menu.").append(info.key), reason.empty());
-  tip(view, reason.empty() ? std::string(info.help) : std::string(info.help) + "\nNot now: " + reason);
-}
-
 }  // namespace
 
 void drawMenuBar(const View& view, Orders& orders) {
@@ -50,7 +40,7 @@ void drawMenuBar(const View& view, Orders& orders) {
     if (!open) continue;
     for (const ActionInfo& info : actions()) {
       if (info.menu != menu || info.scope != Scope::window) continue;
-      item(view, orders, info);
+      actionEntry(view, orders, info.id, std::string(info.label).c_str(), std::string("menu.").append(info.key));
       if (endsGroup(info.id)) ImGui::Separator();
     }
     ImGui::EndMenu();

@@ -123,11 +123,7 @@ void drawCompare(const View& view, Orders& orders) {
   const bool narrow = ImGui::GetContentRegionAvail().x < view.px(800);  // then the parting goes below the parameters
   const float gap = view.px(14);
   const float room = ImGui::GetContentRegionAvail().x - (narrow ? 1.0f : 2.0f) * gap;
-  const auto letGo = [&] {
-    if (ImGui::Button("Let A go")) orders.emplace_back(Action::pin_run);
-    note(view, "compare.unpin");
-    tip(view, "Goes back to one picture.\nKeys: " + keysOf(infoOf(Action::pin_run)));
-  };
+  const auto letGo = [&] { actionButton(view, orders, Action::pin_run, "Let A go", "compare.unpin"); };
   if (ImGui::BeginChild("settings", {std::floor((narrow ? 0.42f : 0.25f) * room), 0.0f})) {
     settings(view);
     letGo();

@@ -154,7 +154,7 @@ void inspectCell(const View& view, const MeshState& state, std::int32_t index) {
   figure(view, "cell rank j", fmt::format("{}", cell.rank));
   figure(view, "side", compact(state.tree.side(cell), 4));
   figure(view, "density rank i", fmt::format("{}", cell.density));
-  figure(view, "edge length h", compact(state.minEdge * rankLength(cell.density), 4));
+  figure(view, "edge length h", compact(edgeLengthOf(state.tree, cell.density), 4));
   figure(view, "type", std::string(name(cell.type)));
   figure(view, "triangles by Table 1", compact(trianglesInCell(cell.rank, cell.density)));
   const Point corner = state.tree.corner(cell);

@@ -212,9 +212,7 @@ void menu(const View& view, Orders& orders) {
   tip(view, "Panels above the timeline: plots, breakpoints, two runs compared, a sweep.");
   if (!ImGui::BeginPopup("panels")) return;
   for (const auto& [action, name] : kToggles) {
-    if (ImGui::MenuItem(name, keysOf(infoOf(action)).c_str(), view.ui.debug.bottom == name))
-      orders.emplace_back(action);
-    note(view, fmt::format("tab.{}", name));
+    actionEntry(view, orders, action, name, fmt::format("tab.{}", name));
   }
   ImGui::EndPopup();
 }
@@ -227,10 +225,8 @@ void toggles(const View& view, Orders& orders) {
     first = false;
     const bool open = view.ui.debug.bottom == name;
     if (open) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_TabActive));
-    if (ImGui::Button(name)) orders.emplace_back(action);
+    actionButton(view, orders, action, name, fmt::format("tab.{}", name));
     if (open) ImGui::PopStyleColor();
-    note(view, fmt::format("tab.{}", name));
-    tip(view, fmt::format("{}\nKeys: {}", infoOf(action).help, keysOf(infoOf(action))));
   }
 }
 

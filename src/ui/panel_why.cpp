@@ -32,9 +32,7 @@ void drawWhy(const View& view, Orders& orders) {
   tip(view, there ? "Goes to right after the decision that made it."
                   : "Not now: no decision made it; it belongs to the input, or to the box around everything.");
   besideIfFits("Break on it");
-  if (ImGui::Button("Break on it")) orders.emplace_back(Action::breakpoint);
-  note(view, "why.break");
-  tip(view, std::string(infoOf(Action::breakpoint).help) + "\nKeys: " + keysOf(infoOf(Action::breakpoint)));
+  actionButton(view, orders, Action::breakpoint, "Break on it", "why.break");
   heading(view, "Why it is here");
   lines(view, orders, answers.why, "why");
   if (answers.why.empty()) muted(view, "No decision up to here made it.");

@@ -74,13 +74,7 @@ void look(const View& view, Orders& orders) {
   ImGui::TextUnformatted("Worst");
   for (const auto& [action, label] : kWorst) {
     ImGui::SameLine(0.0f, view.px(kTight));
-    const std::string reason = whyNot(action, view);
-    const ActionInfo& info = infoOf(action);
-    ImGui::BeginDisabled(!reason.empty());
-    if (ImGui::Button(label)) orders.emplace_back(action);
-    ImGui::EndDisabled();
-    note(view, info.key, reason.empty());
-    tip(view, std::string(info.help) + "\nKeys: " + keysOf(info) + (reason.empty() ? "" : "\nNot now: " + reason));
+    actionButton(view, orders, action, label, infoOf(action).key);
   }
 }
 
@@ -94,16 +88,10 @@ float lookWidth(const View& view) {
 constexpr const char* kBeside = "A | B";
 
 void compare(const View& view, Orders& orders) {
-  const ActionInfo& info = infoOf(Action::pin_run);
-  const std::string reason = whyNot(info.id, view);
   const bool on = view.ui.pinned;
-  ImGui::BeginDisabled(!reason.empty());
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_TabActive));
-  if (ImGui::Button(kBeside)) orders.emplace_back(info.id);
+  actionButton(view, orders, Action::pin_run, kBeside, infoOf(Action::pin_run).key);
   if (on) ImGui::PopStyleColor();
-  ImGui::EndDisabled();
-  note(view, info.key, reason.empty());
-  tip(view, std::string(info.help) + "\nKeys: " + keysOf(info) + (reason.empty() ? "" : "\nNot now: " + reason));
 }
 
 float compareWidth() { return ImGui::CalcTextSize(kBeside).x + 2 * ImGui::GetStyle().FramePadding.x; }

@@ -145,10 +145,6 @@ struct View {
 
 /// Why an action cannot be done right now; empty when it can.
 std::string whyNot(Action action, const View& view);
-/// The same for the actions of the debugger.
-std::string whyNotDebug(Action action, const View& view);
-/// The same for those of sweeps over ω and θ.
-std::string whyNotSweep(Action action, const View& view);
 /// Whether a switch is on; nothing for actions that are no switches.
 std::optional<bool> isOn(Action action, const UiState& ui);
 

@@ -67,12 +67,34 @@ void actionButton(const View& view, Orders& orders, Action action, Icon icon) {
   if (pressed) orders.emplace_back(action);
 }
 
+void actionButton(const View& view, Orders& orders, Action action, const char* label, std::string_view name) {
+  const std::string reason = whyNot(action, view);
+  ImGui::BeginDisabled(!reason.empty());
+  if (ImGui::Button(label)) orders.emplace_back(action);
+  ImGui::EndDisabled();
+  note(view, name, reason.empty());
+  tip(view, tooltipOf(infoOf(action), reason));
+}
+
+void actionEntry(const View& view, Orders& orders, Action action, const char* label, std::string_view name) {
+  const ActionInfo& info = infoOf(action);
+  const std::string reason = whyNot(action, view);
+  const std::string keys = info.chords[0].key == 0 ? std::string() : textOf(info.chords[0]);
+  if (ImGui::MenuItem(label, keys.c_str(), isOn(action, view.ui).value_or(false), reason.empty()))
+    orders.emplace_back(action);
+  note(view, name, reason.empty());
+  tip(view, reason.empty() ? std::string(info.help) : std::string(info.help) + "\nNot now: " + reason);
+}
+
 void actionSwitch(const View& view, Orders& orders, Action action, const char* label) {
   const ActionInfo& info = infoOf(action);
+  const std::string reason = whyNot(action, view);
   bool on = isOn(action, view.ui).value_or(false);
+  ImGui::BeginDisabled(!reason.empty());
   if (ImGui::Checkbox(label, &on)) orders.emplace_back(action);
-  note(view, std::string("layer.").append(info.key));
-  tip(view, tooltipOf(info, {}));
+  ImGui::EndDisabled();
+  note(view, std::string("layer.").append(info.key), reason.empty());
+  tip(view, tooltipOf(info, reason));
 }
 
 void besideIfFits(const char* label) {

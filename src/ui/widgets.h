@@ -22,6 +22,10 @@ float iconButtonWidth(const View& view);
 bool inLowWindow(const View& view);
 /// A button for an action, with its icon, or its label where there is none; disabled with the reason as a tooltip.
 void actionButton(const View& view, Orders& orders, Action action, Icon icon);
+/// The same with a label of its own; tests know it as `name`.
+void actionButton(const View& view, Orders& orders, Action action, const char* label, std::string_view name);
+/// An entry of a menu for an action, likewise.
+void actionEntry(const View& view, Orders& orders, Action action, const char* label, std::string_view name);
 /// A check box for an action that is a switch.
 void actionSwitch(const View& view, Orders& orders, Action action, const char* label);
 

@@ -25,6 +25,7 @@ constexpr std::array kLayers{
     Layer{"core/geometry/", 0},
     Layer{"core/result", 1},
     Layer{"core/counted", 1},
+    Layer{"core/digest", 1},
     Layer{"core/number", 1},
     Layer{"core/stage.h", 1},
     Layer{"core/settings", 2},
@@ -124,6 +125,19 @@ TEST(Includes, ViewersDoNotReadATreeThatMayBeEmpty) {
         for (const std::string_view call : {"edgeLengthAt(", "densityRankAt(", "leafAt("})
           EXPECT_EQ(line.find(call), std::string::npos) << entry.path() << ":" << number << ": " << line;
     }
+}
+
+/// A rank is a multiple of the tree's length and not of the Δx in force: only the density multiplies, in edgeLengthOf()
+/// and lengthWanted().
+TEST(Includes, TheLengthOfARankIsWorkedOutByTheDensityAlone) {
+  const fs::path root = fs::path(TRISCOPE_SOURCE_DIR) / "src";
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.path().lexically_relative(root).generic_string().starts_with("core/density/")) continue;
+    std::ifstream stream(entry.path());
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number)
+      EXPECT_EQ(line.find("rankLength("), std::string::npos) << entry.path() << ":" << number << ": " << line;
+  }
 }
 
 TEST(Includes, TheGuardSeesWhatItMustRefuse) {

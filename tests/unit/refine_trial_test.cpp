@@ -70,12 +70,12 @@ void expectMarksHold(const Mesh& mesh) {
 // Both trials of one move, from the same state; goes on from what the full one left.
 void expectAlike(MeshState& state, const Move& move, TrialRoom& room, Tally& tally) {
   MeshState quick = state;
-  Trial answer;
+  Verdict answer;
   const bool sure = tryInPlace(quick, move, room.wheel, answer);
   if (!sure || answer.refusal != Refusal::none) {
     ASSERT_EQ(support::difference(quick.mesh, state.mesh), "") << "changed without a move";
   }
-  const Trial expected = tryInFull(state, move, room);
+  const Verdict expected = tryInFull(state, move, room);
   if (!sure) {
     ++tally.left;
     return;

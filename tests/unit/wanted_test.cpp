@@ -28,5 +28,19 @@ TEST(Wanted, IsWhatTheTreeSays) {
   EXPECT_EQ(cellOf(state.tree, static_cast<std::int64_t>(state.tree.cells.size())), nullptr);
 }
 
+/// A step of 0.2 halves the length of rank 1 once; the Δx in force stays as it was given.
+TEST(EdgeLengthOf, IsTheTreesFromTheStartOfTheRun) {
+  MeshState state = support::start(support::domainFrom(
+      R"({"min_edge_length": 0.5, "outer": [[0, 0], [8, 0], [8, 8], [7, 8], [7, 7.8], [0, 7.8]]})"));
+  ASSERT_TRUE(state.tree.cells.empty());
+  EXPECT_EQ(state.minEdge, 0.5);
+  EXPECT_EQ(edgeLengthOf(state.tree, 1), 0.25);
+  EXPECT_EQ(edgeLengthOf(state.tree, 4), 0.5);
+  Journal nobody;
+  advanceUntil(state, Stage::density, ~0ull, nobody);
+  EXPECT_EQ(edgeLengthOf(state.tree, 1), 0.25);
+  EXPECT_EQ(wantedAt(state.tree, {7.0, 7.9})->length, edgeLengthOf(state.tree, wantedAt(state.tree, {7.0, 7.9})->rank));
+}
+
 }  // namespace
 }  // namespace triscope

@@ -4,50 +4,21 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
 
 #include "core/debug/life.h"
 #include "core/debug/recording.h"
-#include "core/debug/shape_story.h"
 #include "core/geometry/circumcircle.h"
 #include "core/quality/quality.h"
 #include "core/stages/insertion_rules.h"
 #include "core/vocabulary.h"
-#include "support/domains.h"
+#include "support/recorded.h"
 #include "support/runs.h"
 
 namespace triscope {
 namespace {
-
-struct Recorded {
-  MeshState end;
-  std::vector<Event> events;
-  History history;
-  std::vector<std::uint64_t> tickAt;  // per event: decisions made once it has happened
-};
-
-Recorded record(const support::DomainPtr& domain, std::size_t budget) {
-  Recorded run{support::start(domain), {}, History(budget), {}};
-  run.history.restart(run.end);
-  Journal journal{&run.events};
-  for (bool more = true; more;) {
-    more = advance(run.end, Grain::decision, journal);
-    run.tickAt.resize(run.events.size(), run.end.tick);
-    run.history.offer(run.end, run.events.size());
-  }
-  return run;
-}
-
-const Recorded& runOf(const std::string& sample) {
-  static std::map<std::string, Recorded> runs;
-  const auto found = runs.find(sample);
-  if (found != runs.end()) return found->second;
-  return runs.emplace(sample, record(support::domainAt(support::samples() / (sample + ".json")), 1u << 22))
-      .first->second;
-}
 
 const char* const kSamples[] = {"annulus", "l_shape", "blunt_body", "cracked_plate", "narrow_gap"};
 
@@ -58,7 +29,7 @@ void expectRuleHolds(const Event& e) {
   EXPECT_GT(e.limit, 0.0);
 }
 
-void expectLinksResolve(const Recorded& run, const std::vector<Line>& answer, Ref ref) {
+void expectLinksResolve(const support::Recorded& run, const std::vector<Line>& answer, Ref ref) {
   std::set<std::string> texts;
   ASSERT_FALSE(answer.empty()) << nameOf(ref);
   for (const Line& line : answer) {
@@ -108,7 +79,7 @@ TEST(Links, ReadWhatTheCommandLineGives) {
 
 TEST(Why, BirthIsFoundLikeByLookingAtEveryEvent) {
   for (const char* const sample : kSamples) {
-    const Recorded& run = runOf(sample);
+    const support::Recorded& run = support::runOf(sample);
     const auto check = [&](Ref::Kind kind, std::uint32_t count, std::uint32_t first) {
       std::vector<std::optional<std::size_t>> byBrute(count);
       for (std::size_t k = 0; k < run.events.size(); ++k) {
@@ -133,7 +104,7 @@ TEST(Why, BirthIsFoundLikeByLookingAtEveryEvent) {
 
 TEST(Why, EveryVertexIsExplainedByARuleThatItsValuesSatisfy) {
   for (const char* const sample : kSamples) {
-    const Recorded& run = runOf(sample);
+    const support::Recorded& run = support::runOf(sample);
     std::size_t bySteps = 0;
     for (std::uint32_t v = 4; v < run.end.mesh.points.size(); ++v) {
       const Ref ref{Ref::Kind::vertex, v};
@@ -156,7 +127,7 @@ TEST(Why, EveryVertexIsExplainedByARuleThatItsValuesSatisfy) {
 }
 
 TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
-  const Recorded& run = runOf("l_shape");
+  const support::Recorded& run = support::runOf("l_shape");
   Journal deaf;
   std::size_t checked = 0;
   for (std::size_t k = 0; k < run.events.size() && checked < 25; ++k) {
@@ -179,7 +150,7 @@ TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
 
 TEST(Why, EveryTriangleIsExplained) {
   for (const char* const sample : kSamples) {
-    const Recorded& run = runOf(sample);
+    const support::Recorded& run = support::runOf(sample);
     for (std::size_t slot = 0; slot < run.end.mesh.triangles.size(); ++slot) {
       if (!run.end.mesh.alive(static_cast<std::int32_t>(slot))) continue;
       const Ref ref{Ref::Kind::triangle, run.end.mesh.ids[slot]};
@@ -196,7 +167,7 @@ TEST(Why, EveryTriangleIsExplained) {
 
 TEST(Why, EveryCellLeadsBackToAConstraint) {
   for (const char* const sample : kSamples) {
-    const Recorded& run = runOf(sample);
+    const support::Recorded& run = support::runOf(sample);
     for (std::uint32_t cell = 0; cell < run.end.tree.cells.size(); ++cell) {
       const Ref ref{Ref::Kind::cell, cell};
       const std::vector<Line> answer = why(run.events, ref);
@@ -214,7 +185,8 @@ TEST(Why, EveryCellLeadsBackToAConstraint) {
 }
 
 TEST(WhyNot, NamesEveryRuleAndRecordedRefusals) {
-  const Recorded run = record(support::domainAt(support::testData() / "cracked_plate.json"), 1u << 22);
+  const support::Recorded run =
+      support::record(support::domainAt(support::testData() / "cracked_plate.json"), 1u << 22);
   std::size_t refused = 0;
   for (std::size_t k = 0; k < run.events.size() && refused < 40; ++k) {
     const Event& e = run.events[k];
@@ -262,7 +234,7 @@ TEST(WhyNot, ARuleIsSilentExactlyWhereItsConditionDoesNotHold) {
 }
 
 TEST(WhyNot, WhatIsNotThereIsSaidToBeNotThere) {
-  const Recorded& run = runOf("annulus");
+  const support::Recorded& run = support::runOf("annulus");
   EXPECT_EQ(textOf(whyNot(run.events, 4000000000u).front()), "There is no triangle 4000000000 up to here.");
   EXPECT_EQ(textOf(why(run.events, {Ref::Kind::vertex, 99999}).front()), "There is no vertex 99999 up to here.");
   EXPECT_EQ(textOf(historyOf({}, {Ref::Kind::triangle, 0}).front()), "There is no triangle 0 up to here.");
@@ -271,7 +243,7 @@ TEST(WhyNot, WhatIsNotThereIsSaidToBeNotThere) {
 }
 
 TEST(HistoryOf, TellsEveryEventAboutAnElementInOrder) {
-  const Recorded& run = runOf("l_shape");
+  const support::Recorded& run = support::runOf("l_shape");
   for (std::uint32_t v = 4; v < run.end.mesh.points.size(); v += 7) {
     const Ref ref{Ref::Kind::vertex, v};
     std::size_t moves = 0;
@@ -284,64 +256,9 @@ TEST(HistoryOf, TellsEveryEventAboutAnElementInOrder) {
   }
 }
 
-TEST(ShapeStory, EndsWithTheShapeThatTheTriangleHas) {
-  for (const char* sample : {"l_shape", "blunt_body", "cracked_plate"}) {
-    const Recorded& run = runOf(sample);
-    const Mesh& mesh = run.end.mesh;
-    std::size_t moved = 0;
-    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
-      if (!mesh.alive(slot)) continue;
-      const std::uint32_t id = idOf(mesh, slot);
-      const auto birth = birthOf(run.events, {Ref::Kind::triangle, id});
-      ASSERT_TRUE(birth);
-      const auto story = shapeStoryOf(run.events, *birth, *factsOf(mesh, id));
-      ASSERT_TRUE(story) << id;
-      const Triangle& t = mesh.triangles[static_cast<std::size_t>(slot)];
-      const double aspect = qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])).aspect;
-      EXPECT_NEAR(story->moves.empty() ? story->atBirth : story->moves.back().after, aspect, 1e-9) << id;
-      double is = story->atBirth;
-      for (const ShapeChange& move : story->moves) {
-        EXPECT_EQ(move.before, is);
-        is = move.after;
-        EXPECT_TRUE(placesVertex(run.events[move.event]));
-      }
-      moved += story->moves.size();
-    }
-    EXPECT_GT(moved, 1000u) << sample;
-  }
-}
-
-TEST(ShapeStory, IsWhatTheMeshWasBeforeAndAfterEachMove) {
-  const Recorded& run = runOf("l_shape");
-  const Mesh& end = run.end.mesh;
-  std::size_t looked = 0;
-  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(end.triangles.size()); slot += 97) {
-    if (!end.alive(slot)) continue;
-    const std::uint32_t id = idOf(end, slot);
-    const auto birth = birthOf(run.events, {Ref::Kind::triangle, id});
-    const auto story = shapeStoryOf(run.events, *birth, *factsOf(end, id));
-    ASSERT_TRUE(story);
-    Journal nobody;
-    const auto aspectAt = [&](std::uint64_t tick) {
-      const MeshState then = run.history.seek(tick, nobody);
-      const std::int32_t there = slotOf(then.mesh, id);
-      EXPECT_GE(there, 0);
-      const Triangle& t = then.mesh.triangles[static_cast<std::size_t>(there)];
-      return qualityOf(pointOf(then.mesh, t.v[0]), pointOf(then.mesh, t.v[1]), pointOf(then.mesh, t.v[2])).aspect;
-    };
-    EXPECT_NEAR(aspectAt(run.tickAt[*birth]), story->atBirth, 1e-9);
-    for (const ShapeChange& move : story->moves) {
-      EXPECT_NEAR(aspectAt(run.tickAt[move.event] - 1), move.before, 1e-9);
-      EXPECT_NEAR(aspectAt(run.tickAt[move.event]), move.after, 1e-9);
-      ++looked;
-    }
-  }
-  EXPECT_GT(looked, 30u);
-}
-
 TEST(Why, APackedLogGivesTheSameAnswers) {
   // Blocks of it are passed by; a list is looked through in full.
-  const Recorded& run = runOf("l_shape");
+  const support::Recorded& run = support::runOf("l_shape");
   const EventLog log(run.events);
   const auto textsOf = [](const std::vector<Line>& lines) {
     std::vector<std::string> texts;
@@ -365,41 +282,6 @@ TEST(Why, APackedLogGivesTheSameAnswers) {
     }
   }
   EXPECT_GT(found, 500u);
-}
-
-TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
-  // Brute force: after every decision, which triangles are gone.
-  const auto domain = support::domainAt(support::samples() / "l_shape.json");
-  const Recorded tiny = record(domain, std::size_t{64} << 10);
-  MeshState state = support::start(domain);
-  std::vector<Event> events;
-  Journal journal{&events};
-  std::map<std::uint32_t, std::size_t> death;
-  std::set<std::uint32_t> alive;
-  while (advance(state, Grain::decision, journal)) {
-    std::set<std::uint32_t> now;
-    for (std::size_t s = 0; s < state.mesh.ids.size(); ++s)
-      if (state.mesh.alive(static_cast<std::int32_t>(s))) now.insert(state.mesh.ids[s]);
-    for (const std::uint32_t id : alive)
-      if (now.count(id) == 0) death[id] = events.size() - 1;
-    alive = std::move(now);
-  }
-  ASSERT_GT(death.size(), 100u);
-  std::uint32_t checked = 0;
-  for (std::uint32_t id = 0; id < state.mesh.nextId; id += 13, ++checked) {
-    const TriangleFacts facts = factsOf(tiny.history, tiny.end.tick, tiny.events, id);
-    const auto found = death.find(id);
-    if (found == death.end() && alive.count(id) == 0) continue;  // made and ended by one decision
-    EXPECT_EQ(facts.death, found == death.end() ? std::nullopt : std::optional<std::size_t>(found->second)) << id;
-    EXPECT_NE(facts.corners[0], kNoId) << id;
-  }
-  EXPECT_GT(checked, 50u);
-}
-
-TEST(Life, TickOfAnEventIsWhenItHasHappened) {
-  const Recorded& run = runOf("annulus");
-  for (std::size_t k = 0; k < run.events.size(); k += 17)
-    EXPECT_EQ(tickOf(run.history, run.end.tick, k), run.tickAt[k]) << "event " << k;
 }
 
 }  // namespace

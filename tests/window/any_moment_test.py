@@ -105,6 +105,27 @@ class AnyMoment(harness.WindowTest):
         self.assertEqual(state["density"]["selected"], -1)
         self.window.wait(lambda s: s["domain"] == "slow" and s["activity"] == "idle", "the domain", timeout=120)
 
+    def test_what_cannot_be_done_is_offered_nowhere(self):
+        """An action has one answer to whether it can be done: its key's, its menu's and that of every button."""
+        x, y = self.window.pixel(3.9, 3.1)
+        self.window.press(x, y)
+        self.window.wait(lambda s: s["selection"]["kind"] in ("triangle", "edge"), "a triangle")
+        self.window.click("pin_run")
+        self.window.wait(lambda s: s["compare"]["pinned"] and not s["compare"]["busy"], "A")
+        self.window.click("tab.Why")
+        offered = ("pin_run", "compare.unpin", "why.break")
+        state = self.window.wait(lambda s: all(name in s["widgets"] for name in offered), "the buttons")
+        self.assertEqual([state["widgets"][name][4] for name in offered], [True] * 3)
+        self.open("slow.json", SLOW)
+        state = self.window.wait(lambda s: all(name in s["widgets"] for name in offered)
+                                 and not s["widgets"]["pin_run"][4], "the button above the picture to be disabled")
+        self.assertEqual([state["widgets"][name][4] for name in offered], [False] * 3)
+        self.window.press(x, y, button=3)
+        offered = ("context.why", "context.break")
+        state = self.window.wait(lambda s: all(name in s["widgets"] for name in offered), "the menu")
+        self.assertTrue(state["stale"], "the mesh was made too soon")
+        self.assertEqual([state["widgets"][name][4] for name in offered], [False] * 2)
+
     def test_what_is_changed_while_another_domain_is_opened_belongs_to_that_one(self):
         path = os.path.join(self.window.folder.name, "asking.session")
         self.window.key("ctrl+s")

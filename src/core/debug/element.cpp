@@ -74,7 +74,7 @@ std::vector<Line> ofCell(const MeshState& state, const Cell& cell, std::uint32_t
       linked(fmt::format("Cell {} of rank {}, side {:.4g}, lower left corner {}.", index, cell.rank,
                          state.tree.side(cell), place(state.tree.corner(cell)))),
       linked(fmt::format("Density rank {}: edges of length h = {:.4g}, about {:.3g} triangles in a whole cell.",
-                         cell.density, state.tree.minEdge * rankLength(cell.density),
+                         cell.density, edgeLengthOf(state.tree, cell.density),
                          trianglesInCell(cell.rank, cell.density)))};
   if (cell.child >= 0)
     lines.push_back(linked(fmt::format("It was split into cells {} to {}.", cell.child, cell.child + 3)));

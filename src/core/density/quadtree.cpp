@@ -61,6 +61,8 @@ std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y, Le
 
 double rankLength(int densityRank) { return kRankLengths[static_cast<std::size_t>(densityRank - 1)]; }
 
+double edgeLengthOf(const Quadtree& tree, int densityRank) { return tree.minEdge * rankLength(densityRank); }
+
 int rankAtMost(double lengthInMinEdges) {
   int rank = 1;
   while (rank < 96 && rankLength(rank + 1) <= lengthInMinEdges) ++rank;
@@ -198,8 +200,8 @@ int densityRankAt(const Quadtree& tree, Point p, LeafPath& path) { return cellAt
 int densityRankAt(const Quadtree& tree, Point p) { return cellAt(tree, leafAt(tree, p)).density; }
 
 double edgeLengthAt(const Quadtree& tree, Point p, LeafPath& path) {
-  return tree.minEdge * rankLength(densityRankAt(tree, p, path));
+  return edgeLengthOf(tree, densityRankAt(tree, p, path));
 }
-double edgeLengthAt(const Quadtree& tree, Point p) { return tree.minEdge * rankLength(densityRankAt(tree, p)); }
+double edgeLengthAt(const Quadtree& tree, Point p) { return edgeLengthOf(tree, densityRankAt(tree, p)); }
 
 }  // namespace triscope

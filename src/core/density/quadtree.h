@@ -23,9 +23,9 @@ struct Cell {
 };
 
 struct Quadtree {
-  std::vector<Cell> cells;  // cells[0] is the root
+  std::vector<Cell> cells;  // cells[0] is the root; none before the method has begun
   Point origin;             // lower left corner of the root
-  double minEdge = 1.0;     // Δx
+  double minEdge = 1.0;     // edge length of density rank 1, see finestLength(); known before there are cells
   double minEdgeInverse = 1.0;
   [[nodiscard]] double unit() const { return 4.0 * minEdge; }  // side of a rank-1 cell
   [[nodiscard]] double side(const Cell& c) const { return unit() * static_cast<double>(1ull << (c.rank - 1)); }
@@ -38,6 +38,9 @@ struct Quadtree {
 double rankLength(int densityRank);
 /// Largest density rank whose edge length is <= length (in units of Δx); at least 1.
 int rankAtMost(double lengthInMinEdges);
+/// Edge length h of a density rank. Ranks are multiples of the tree's own length, which short input edges may have made
+/// less than the Δx in force: whoever wants the length of a rank asks here.
+double edgeLengthOf(const Quadtree& tree, int densityRank);
 /// Smallest and largest cell rank that may hold a density rank (Table 1).
 int smallestCellRank(int densityRank);
 int largestCellRank(int densityRank);

@@ -6,7 +6,7 @@ std::optional<Wanted> wantedAt(const Quadtree& tree, Point p) {
   if (tree.cells.empty()) return std::nullopt;
   const std::int32_t leaf = leafAt(tree, p);
   const int rank = tree.cells[static_cast<std::size_t>(leaf)].density;
-  return Wanted{leaf, rank, tree.minEdge * rankLength(rank)};
+  return Wanted{leaf, rank, edgeLengthOf(tree, rank)};
 }
 
 const Cell* cellOf(const Quadtree& tree, std::int64_t index) {

@@ -9,7 +9,7 @@ namespace {
 void begin(MeshState& state, Journal& journal) {
   const Domain& domain = *state.domain;
   state.cursor.begun = true;
-  state.tree = rootOver(domain.bounds, finestLength(domain, state.minEdge));
+  state.tree = rootOver(domain.bounds, state.tree.minEdge);
   state.search = searchFor(domain, state.minEdge);
   // A loop with more edges than triangles are allowed is not even looked along.
   const LoopDemand demand = greediestAlong(domain, state.minEdge);

@@ -47,7 +47,7 @@ bool step1(const MeshState& state, std::int32_t slot, LeafPath& path, Proposal& 
 // Step 2: R ≥ the least h over the three apexes.
 double leastEdgeLength(const MeshState& state, const Triangle& t) {
   const std::vector<std::uint8_t>& rank = state.mesh.density;
-  return state.tree.minEdge * rankLength(std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]}));
+  return edgeLengthOf(state.tree, std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]}));
 }
 bool step2(const MeshState& state, std::int32_t slot, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);

@@ -38,10 +38,10 @@ Refusal judge(const MeshState& state, Rule rule, const Badness& was, const Badne
 
 // Δx, or less where kept input edges made the density finer than that.
 double shortestAllowed(const MeshState& state, std::uint8_t finestRank) {
-  return std::min(state.minEdge, state.tree.minEdge * rankLength(finestRank));
+  return std::min(state.minEdge, edgeLengthOf(state.tree, finestRank));
 }
 
-Trial judged(const MeshState& state, Rule rule, const Badness& was, const Badness& is, double minEdge) {
+Verdict judged(const MeshState& state, Rule rule, const Badness& was, const Badness& is, double minEdge) {
   const Refusal refusal = judge(state, rule, was, is, minEdge);
   const bool byEdge = refusal == Refusal::edge_below_minimum;
   return {refusal, byEdge ? std::sqrt(is.shortest) : is.worst, byEdge ? minEdge : was.worst};
@@ -220,7 +220,7 @@ void place(Mesh& mesh, const Wheel& wheel, Point to, const Rim& rim, const Pose&
 
 }  // namespace
 
-Trial tryInFull(MeshState& state, const Move& move, TrialRoom& room) {
+Verdict tryInFull(MeshState& state, const Move& move, TrialRoom& room) {
   Mesh& mesh = state.mesh;
   room.before.clear();
   std::uint8_t finestRank = mesh.density[at(move.vertex)];
@@ -236,13 +236,13 @@ Trial tryInFull(MeshState& state, const Move& move, TrialRoom& room) {
     undoMove(mesh, room.log);
     was = badnessOf(mesh, room.log.slots);
   }
-  const Trial trial = judged(state, move.rule, was, is, shortestAllowed(state, finestRank));
-  if (trial.refusal == Refusal::none && flipped) moveVertex(mesh, move.vertex, move.to, room.log);
-  if (trial.refusal != Refusal::none && !flipped) undoMove(mesh, room.log);
-  return trial;
+  const Verdict verdict = judged(state, move.rule, was, is, shortestAllowed(state, finestRank));
+  if (verdict.refusal == Refusal::none && flipped) moveVertex(mesh, move.vertex, move.to, room.log);
+  if (verdict.refusal != Refusal::none && !flipped) undoMove(mesh, room.log);
+  return verdict;
 }
 
-bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Trial& trial) {
+bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Verdict& verdict) {
   if (wheel.spokes.size() > kMost) return false;
   Mesh& mesh = state.mesh;
   Rim rim;
@@ -272,29 +272,29 @@ bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Trial& t
     for (const Spoke& spoke : wheel.spokes) finestRank = std::min(finestRank, mesh.density[at(spoke.rim)]);
     minEdge = shortestAllowed(state, finestRank);
   }
-  trial = judged(state, move.rule, was, is, minEdge);
-  if (trial.refusal == Refusal::none) place(mesh, wheel, move.to, rim, to);
+  verdict = judged(state, move.rule, was, is, minEdge);
+  if (verdict.refusal == Refusal::none) place(mesh, wheel, move.to, rim, to);
   return true;
 }
 
 Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room) {
   const Point from = pointOf(state.mesh, move.vertex);
   const std::uint32_t firstId = state.mesh.nextId;
-  Trial trial;
-  if (!tryInPlace(state, move, room.wheel, trial)) trial = tryInFull(state, move, room);
+  Verdict verdict;
+  if (!tryInPlace(state, move, room.wheel, verdict)) verdict = tryInFull(state, move, room);
   StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
-  const bool moved = trial.refusal == Refusal::none;
+  const bool moved = verdict.refusal == Refusal::none;
   ++(moved ? counts.moved : counts.refused);
   if (moved) ++state.cursor.changes;
   if (journal.listening()) {
     Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, move.rule);
-    event.refusal = trial.refusal;
+    event.refusal = verdict.refusal;
     event.subject = subject;
     event.vertex = static_cast<std::uint32_t>(move.vertex);
     event.at = move.to;
     event.from = from;
-    event.measured = trial.measured;
-    event.limit = trial.limit;
+    event.measured = verdict.measured;
+    event.limit = verdict.limit;
     if (state.mesh.nextId > firstId) {
       event.created = firstId;
       event.createdCount = state.mesh.nextId - firstId;

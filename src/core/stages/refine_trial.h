@@ -17,7 +17,7 @@ struct Move {
   Point to;
 };
 
-struct Trial {
+struct Verdict {
   Refusal refusal = Refusal::none;
   double measured = 0.0;  // worst aspect ratio after, and before; or an edge that is too short, and what it may be
   double limit = 0.0;
@@ -32,12 +32,12 @@ struct TrialRoom {
 
 /// Makes the move and flips until the region is Delaunay again, measures the region, and takes everything back when it
 /// is worse. What was moved is in `room.log`.
-Trial tryInFull(MeshState& state, const Move& move, TrialRoom& room);
+Verdict tryInFull(MeshState& state, const Move& move, TrialRoom& room);
 
 /// The same from one look at the star, where that is enough: no edge wants to be flipped and no bound is broken, before
 /// or after, by a margin that rounding cannot bridge. Most trials are such. False, with nothing changed, when it is
 /// not sure; else the answer of tryInFull, to the bit.
-bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Trial& trial);
+bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Verdict& verdict);
 
 /// Tries the move, in place or else in full, and records what came of it. `room` holds the star of the vertex, and
 /// `subject` is the triangle that the move is for.

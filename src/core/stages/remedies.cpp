@@ -31,11 +31,11 @@ void addMoves(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remed
   }
   const double n = static_cast<double>(star.rim.size());
   reach /= n;
-  remedies.push_back({Edit::move, vertex, (1.0 / n) * mean});
+  remedies.push_back({MeshEdit::move, vertex, (1.0 / n) * mean});
   for (const double radius : {0.06, 0.15, 0.3}) {
     for (int k = 0; k < 8; ++k) {
       const trig::SinCos turn = trig::sinCos(k * 45.0 * trig::kDegree);
-      remedies.push_back({Edit::move, vertex, p + (radius * reach) * Point{turn.cos, turn.sin}});
+      remedies.push_back({MeshEdit::move, vertex, p + (radius * reach) * Point{turn.cos, turn.sin}});
     }
   }
 }
@@ -45,11 +45,12 @@ void addInsertions(const Mesh& patch, std::int32_t slot, std::vector<Remedy>& re
   const Point a = pointOf(patch, t.v[0]), b = pointOf(patch, t.v[1]), c = pointOf(patch, t.v[2]);
   const Point middle = centroidOf(patch, slot);
   const Point centre = circumcentre(a, b, c);
-  remedies.push_back({Edit::insert, -1, middle});
-  for (const double part : {0.5, 0.75, 1.0}) remedies.push_back({Edit::insert, -1, middle + part * (centre - middle)});
+  remedies.push_back({MeshEdit::insert, -1, middle});
+  for (const double part : {0.5, 0.75, 1.0})
+    remedies.push_back({MeshEdit::insert, -1, middle + part * (centre - middle)});
   for (int i = 0; i < 3; ++i) {
     const Point m = midpoint(pointOf(patch, startOf(patch, 3 * slot + i)), pointOf(patch, endOf(patch, 3 * slot + i)));
-    if (oppositeOf(patch, 3 * slot + i) >= 0) remedies.push_back({Edit::insert, -1, m});
+    if (oppositeOf(patch, 3 * slot + i) >= 0) remedies.push_back({MeshEdit::insert, -1, m});
   }
 }
 
@@ -64,7 +65,7 @@ std::int32_t patient(const Mesh& patch) {
 void addRemoval(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remedies) {
   thread_local Star star;
   starOf(patch, vertex, star);
-  if (star.rim.size() <= kLargestStar) remedies.push_back({Edit::remove, vertex, pointOf(patch, vertex)});
+  if (star.rim.size() <= kLargestStar) remedies.push_back({MeshEdit::remove, vertex, pointOf(patch, vertex)});
 }
 
 void addSplits(const Mesh& patch, std::int32_t vertex, const std::vector<std::int32_t>& near,
@@ -80,7 +81,7 @@ void addSplits(const Mesh& patch, std::int32_t vertex, const std::vector<std::in
   eachEdge([&](std::int32_t, const BoundaryEdge&, std::int32_t) { ++edges; });
   eachEdge([&](std::int32_t e, const BoundaryEdge& edge, std::int32_t other) {
     if (edges > kLargestHub && std::find(near.begin(), near.end(), other) == near.end()) return;
-    remedies.push_back({Edit::split, e, midpoint(pointOf(patch, edge.v0), pointOf(patch, edge.v1))});
+    remedies.push_back({MeshEdit::split, e, midpoint(pointOf(patch, edge.v0), pointOf(patch, edge.v1))});
   });
 }
 
@@ -122,21 +123,21 @@ Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, st
   Attempt attempt;
   attempt.refusal = Refusal::inverts_triangle;
   switch (remedy.edit) {
-    case Edit::move:
+    case MeshEdit::move:
       attempt.firstId = mesh.nextId;
       if (moveVertex(mesh, remedy.index, remedy.to, log)) attempt.refusal = Refusal::none;
       attempt.createdCount = mesh.nextId - attempt.firstId;
       return attempt;
-    case Edit::insert:
+    case MeshEdit::insert:
       return place(mesh, state.tree, remedy.to, start, VertexKind::steiner, {floor, -0.5});
-    case Edit::remove:
+    case MeshEdit::remove:
       attempt.firstId = mesh.nextId;
       if (removeVertex(mesh, remedy.index)) attempt.refusal = Refusal::none;
       attempt.createdCount = mesh.nextId - attempt.firstId;
       return attempt;
-    case Edit::split:
+    case MeshEdit::split:
       return splitBoundary(mesh, *state.domain, state.tree, remedy.index, floor);
-    case Edit::none:
+    case MeshEdit::none:
       break;
   }
   return attempt;

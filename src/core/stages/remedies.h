@@ -10,10 +10,10 @@
 
 namespace triscope {
 
-enum class Edit : std::uint8_t { none, move, insert, remove, split };
+enum class MeshEdit : std::uint8_t { none, move, insert, remove, split };
 
 struct Remedy {
-  Edit edit = Edit::none;
+  MeshEdit edit = MeshEdit::none;
   std::int32_t index = -1;  // vertex (move, remove) or boundary edge (split)
   Point to;
 };

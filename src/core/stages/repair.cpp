@@ -39,8 +39,9 @@ void record(const MeshState& state, Journal& journal, const Remedy& remedy, std:
   event.at = remedy.to;
   event.from = from;
   describeAttempt(event, attempt);
-  if (remedy.edit == Edit::move || remedy.edit == Edit::remove) event.vertex = static_cast<std::uint32_t>(remedy.index);
-  if (remedy.edit == Edit::split) {
+  if (remedy.edit == MeshEdit::move || remedy.edit == MeshEdit::remove)
+    event.vertex = static_cast<std::uint32_t>(remedy.index);
+  if (remedy.edit == MeshEdit::split) {
     event.subject = static_cast<std::uint32_t>(remedy.index);
     event.other = subject;
     if (attempt.vertex >= 0) event.at = pointOf(state.mesh, attempt.vertex);  // on the curve, not on the chord
@@ -91,17 +92,17 @@ Outcome runRepair(MeshState& state, Journal& journal) {
       ++counts.refused;
       Attempt spent;
       spent.refusal = Refusal::budget_spent;
-      record(state, journal, {Edit::none, -1, centroidOf(mesh, slot)}, subject, {}, spent);
+      record(state, journal, {MeshEdit::none, -1, centroidOf(mesh, slot)}, subject, {}, spent);
       return Outcome::decided;
     }
     double floor = 0.0;
     const Treatment treatment = bestTreatment(state, slot, floor);
-    if (treatment[0].edit == Edit::none) {
+    if (treatment[0].edit == MeshEdit::none) {
       mesh.tested[at(slot)] |= kTestedRepair;
       ++counts.refused;
       Attempt nothing;
       nothing.refusal = Refusal::bound_broken;
-      record(state, journal, {Edit::none, -1, centroidOf(mesh, slot)}, subject, {}, nothing);
+      record(state, journal, {MeshEdit::none, -1, centroidOf(mesh, slot)}, subject, {}, nothing);
       return Outcome::decided;
     }
     ++cursor.index;
@@ -110,20 +111,20 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     gaps.clear();
     const std::uint32_t firstId = mesh.nextId;
     for (const Remedy& remedy : treatment) {
-      if (remedy.edit == Edit::none) break;
-      const Point from = remedy.edit == Edit::move ? pointOf(mesh, remedy.index) : remedy.to;
-      if (remedy.edit == Edit::remove) appendStar(mesh, remedy.index, gaps);
+      if (remedy.edit == MeshEdit::none) break;
+      const Point from = remedy.edit == MeshEdit::move ? pointOf(mesh, remedy.index) : remedy.to;
+      if (remedy.edit == MeshEdit::remove) appendStar(mesh, remedy.index, gaps);
       const std::int32_t start = mesh.alive(slot) ? slot : mesh.lastTriangle;
       const Attempt attempt = applyRemedy(mesh, state, remedy, start, floor);
       record(state, journal, remedy, subject, from, attempt);
-      if (remedy.edit == Edit::move) {
+      if (remedy.edit == MeshEdit::move) {
         ++counts.moved;
         moved.clear();
         appendStar(mesh, remedy.index, moved);
         for (const std::int32_t other : moved) setFillsGap(mesh, other, false);  // its shape is another now
       }
-      if (remedy.edit == Edit::remove) ++counts.removed;
-      inserted = inserted || remedy.edit == Edit::insert || remedy.edit == Edit::split;
+      if (remedy.edit == MeshEdit::remove) ++counts.removed;
+      inserted = inserted || remedy.edit == MeshEdit::insert || remedy.edit == MeshEdit::split;
     }
     // The steps would put back what was taken out, round after round: they pass over what fills its place.
     for (const std::int32_t gap : gaps) {

@@ -47,7 +47,7 @@ void tryRemedies(Search& search, const Remedy& first) {
   collectRemedies(trial.unedited, remedies);
   const std::int32_t start = firstLive(trial.unedited);
   for (const Remedy& remedy : remedies) {
-    const bool lead = first.edit == Edit::none && remedy.edit != Edit::move;
+    const bool lead = first.edit == MeshEdit::none && remedy.edit != MeshEdit::move;
     search.touched.slots.clear();
     if (applyRemedy(trial.mesh, search.state, remedy, start, search.floor).refusal != Refusal::none) continue;
     int most = search.best.broken;
@@ -60,7 +60,7 @@ void tryRemedies(Search& search, const Remedy& first) {
     if (after.shortest < search.floor * search.floor) continue;
     if (better(after, search.best)) {
       search.best = after;
-      search.chosen = first.edit == Edit::none ? Treatment{remedy, Remedy{}} : Treatment{first, remedy};
+      search.chosen = first.edit == MeshEdit::none ? Treatment{remedy, Remedy{}} : Treatment{first, remedy};
     }
     if (search.best.broken == 0) return;  // nothing can be better
     if (lead) takeLead(search.leads, after, remedy);
@@ -73,9 +73,9 @@ void translate(const MeshState& state, const Patch& patch, Remedy& remedy) {
     const auto l = static_cast<std::size_t>(local);
     return l < map.size() ? map[l] : static_cast<std::int32_t>(size + l - map.size());
   };
-  if (remedy.edit == Edit::move || remedy.edit == Edit::remove) {
+  if (remedy.edit == MeshEdit::move || remedy.edit == MeshEdit::remove) {
     remedy.index = across(patch.vertices, state.mesh.points.size(), remedy.index);
-  } else if (remedy.edit == Edit::split) {
+  } else if (remedy.edit == MeshEdit::split) {
     remedy.index = across(patch.edges, state.mesh.edges.size(), remedy.index);
   }
 }
@@ -92,7 +92,7 @@ Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor
   floor = std::min(state.minEdge, std::sqrt(trial.whole.shortest) * (1.0 - 1e-9));
   Search search{state, floor, trial.whole, {}, {}, trial, touched};
   tryRemedies(search, {});
-  for (std::size_t k = 0; search.chosen[0].edit == Edit::none && k < search.leads.size(); ++k) {
+  for (std::size_t k = 0; search.chosen[0].edit == MeshEdit::none && k < search.leads.size(); ++k) {
     if (k > 0) beginTrial(trial, patch.mesh);
     applyRemedy(trial.mesh, state, search.leads[k].remedy, 0, floor);
     keepEdit(trial);

@@ -1,0 +1,51 @@
+// The layers of a scene: what each depends on, and what fills it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/digest.h"
+#include "render/scene_parts.h"
+
+namespace triscope::detail {
+
+/// Digest of what a layer depends on; not of its content, which would cost as much as building it.
+class LayerKey {
+ public:
+  template <class T>
+  LayerKey& operator<<(T value) {
+    if constexpr (std::is_same_v<T, double>)
+      digest_.number(value);
+    else
+      digest_.word(static_cast<std::uint64_t>(value));
+    return *this;
+  }
+  LayerKey& operator<<(const Point& p) { return *this << p.x << p.y; }
+  [[nodiscard]] std::uint64_t value() const { return digest_.value | 1u; }  // 0 means never built
+
+ private:
+  Digest digest_;
+};
+
+/// What keys begin with, worked out once for all of them.
+struct KeyStart {
+  LayerKey run;     // domain, settings and Δx decide everything that follows; and how all layers look
+  LayerKey moment;  // of the run
+};
+KeyStart keyStartOf(const SceneInput& in);
+
+/// A layer is both or nothing: one that is built but has no key would show for ever what it showed first.
+struct LayerPart {
+  using KeyOf = LayerKey (*)(const SceneInput&, const KeyStart&);
+  using Build = void (*)(const SceneInput&, Layer&);
+  constexpr LayerPart(LayerId which, KeyOf keyOf, Build fill) : id(which), key(keyOf), build(fill) {}
+  LayerId id;
+  KeyOf key;
+  Build build;
+};
+
+/// One entry per LayerId, in order.
+const std::array<LayerPart, kLayerCount>& layerParts();
+
+}  // namespace triscope::detail

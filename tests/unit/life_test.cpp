@@ -1,0 +1,53 @@
+// When triangles ended, and when events happened, held against a look at every decision.
+#include "core/debug/life.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "core/debug/why.h"
+#include "support/domains.h"
+#include "support/recorded.h"
+#include "support/runs.h"
+
+namespace triscope {
+namespace {
+
+TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
+  // Brute force: after every decision, which triangles are gone.
+  const auto domain = support::domainAt(support::samples() / "l_shape.json");
+  const support::Recorded tiny = support::record(domain, std::size_t{64} << 10);
+  MeshState state = support::start(domain);
+  std::vector<Event> events;
+  Journal journal{&events};
+  std::map<std::uint32_t, std::size_t> death;
+  std::set<std::uint32_t> alive;
+  while (advance(state, Grain::decision, journal)) {
+    std::set<std::uint32_t> now;
+    for (std::size_t s = 0; s < state.mesh.ids.size(); ++s)
+      if (state.mesh.alive(static_cast<std::int32_t>(s))) now.insert(state.mesh.ids[s]);
+    for (const std::uint32_t id : alive)
+      if (now.count(id) == 0) death[id] = events.size() - 1;
+    alive = std::move(now);
+  }
+  ASSERT_GT(death.size(), 100u);
+  std::uint32_t checked = 0;
+  for (std::uint32_t id = 0; id < state.mesh.nextId; id += 13, ++checked) {
+    const TriangleFacts facts = factsOf(tiny.history, tiny.end.tick, tiny.events, id);
+    const auto found = death.find(id);
+    if (found == death.end() && alive.count(id) == 0) continue;  // made and ended by one decision
+    EXPECT_EQ(facts.death, found == death.end() ? std::nullopt : std::optional<std::size_t>(found->second)) << id;
+    EXPECT_NE(facts.corners[0], kNoId) << id;
+  }
+  EXPECT_GT(checked, 50u);
+}
+
+TEST(Life, TickOfAnEventIsWhenItHasHappened) {
+  const support::Recorded& run = support::runOf("annulus");
+  for (std::size_t k = 0; k < run.events.size(); k += 17)
+    EXPECT_EQ(tickOf(run.history, run.end.tick, k), run.tickAt[k]) << "event " << k;
+}
+
+}  // namespace
+}  // namespace triscope

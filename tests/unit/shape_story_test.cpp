@@ -1,0 +1,69 @@
+// How triangles came by their shapes, held against the meshes that the same runs went through.
+#include "core/debug/shape_story.h"
+
+#include <gtest/gtest.h>
+
+#include "core/debug/life.h"
+#include "core/quality/quality.h"
+#include "support/recorded.h"
+
+namespace triscope {
+namespace {
+
+TEST(ShapeStory, EndsWithTheShapeThatTheTriangleHas) {
+  for (const char* sample : {"l_shape", "blunt_body", "cracked_plate"}) {
+    const support::Recorded& run = support::runOf(sample);
+    const Mesh& mesh = run.end.mesh;
+    std::size_t moved = 0;
+    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+      if (!mesh.alive(slot)) continue;
+      const std::uint32_t id = idOf(mesh, slot);
+      const auto birth = birthOf(run.events, {Ref::Kind::triangle, id});
+      ASSERT_TRUE(birth);
+      const auto story = shapeStoryOf(run.events, *birth, *factsOf(mesh, id));
+      ASSERT_TRUE(story) << id;
+      const Triangle& t = mesh.triangles[static_cast<std::size_t>(slot)];
+      const double aspect = qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])).aspect;
+      EXPECT_NEAR(story->moves.empty() ? story->atBirth : story->moves.back().after, aspect, 1e-9) << id;
+      double is = story->atBirth;
+      for (const ShapeChange& move : story->moves) {
+        EXPECT_EQ(move.before, is);
+        is = move.after;
+        EXPECT_TRUE(placesVertex(run.events[move.event]));
+      }
+      moved += story->moves.size();
+    }
+    EXPECT_GT(moved, 1000u) << sample;
+  }
+}
+
+TEST(ShapeStory, IsWhatTheMeshWasBeforeAndAfterEachMove) {
+  const support::Recorded& run = support::runOf("l_shape");
+  const Mesh& end = run.end.mesh;
+  std::size_t looked = 0;
+  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(end.triangles.size()); slot += 97) {
+    if (!end.alive(slot)) continue;
+    const std::uint32_t id = idOf(end, slot);
+    const auto birth = birthOf(run.events, {Ref::Kind::triangle, id});
+    const auto story = shapeStoryOf(run.events, *birth, *factsOf(end, id));
+    ASSERT_TRUE(story);
+    Journal nobody;
+    const auto aspectAt = [&](std::uint64_t tick) {
+      const MeshState then = run.history.seek(tick, nobody);
+      const std::int32_t there = slotOf(then.mesh, id);
+      EXPECT_GE(there, 0);
+      const Triangle& t = then.mesh.triangles[static_cast<std::size_t>(there)];
+      return qualityOf(pointOf(then.mesh, t.v[0]), pointOf(then.mesh, t.v[1]), pointOf(then.mesh, t.v[2])).aspect;
+    };
+    EXPECT_NEAR(aspectAt(run.tickAt[*birth]), story->atBirth, 1e-9);
+    for (const ShapeChange& move : story->moves) {
+      EXPECT_NEAR(aspectAt(run.tickAt[move.event] - 1), move.before, 1e-9);
+      EXPECT_NEAR(aspectAt(run.tickAt[move.event]), move.after, 1e-9);
+      ++looked;
+    }
+  }
+  EXPECT_GT(looked, 30u);
+}
+
+}  // namespace
+}  // namespace triscope
