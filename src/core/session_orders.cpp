@@ -62,7 +62,8 @@ void SessionWorker::carryOut(const Command& order) {
   };
   const bool opens = std::holds_alternative<command::OpenFile>(order) ||
                      std::holds_alternative<command::OpenDomain>(order) || std::holds_alternative<command::Load>(order);
-  const bool always = opens || std::holds_alternative<command::SetBreakpoints>(order);
+  const bool always =
+      opens || std::holds_alternative<command::SetBreakpoints>(order) || std::holds_alternative<command::Change>(order);
   if (!loaded_ && !always)
     publishProgress();  // nothing to work on yet
   else
@@ -73,7 +74,7 @@ void SessionWorker::open(std::shared_ptr<const Domain> domain) {
   keepBackup();
   Settings settings = state_.settings;
   settings.minEdge = 0.0;  // Δx belongs to the domain; everything else is the user's
-  const bool another = !state_.domain || state_.domain->file.empty() || state_.domain->file != domain->file;
+  const bool another = state_.domain && (state_.domain->file.empty() || state_.domain->file != domain->file);
   if (!startOver(std::move(domain), settings)) return;
   const std::string kept = differencesText(differences(Settings{}, settings), &SettingDifference::b);
   if (another && !kept.empty()) notice_ = fmt::format("Kept from the domain before: {}. Params sets it back.", kept);
@@ -86,6 +87,10 @@ void SessionWorker::load(const command::Load& what) {
 }
 
 void SessionWorker::change(const Settings& settings) {
+  if (!loaded_) {
+    state_.settings = settings;  // for the domain to come
+    return publishProgress();
+  }
   const Stage first = firstAffected(state_.settings, settings);
   // What the first stage needs (Δx, the root of the quadtree) is worked out before it begins.
   const bool derives = first == Stage::constraints;

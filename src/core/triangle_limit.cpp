@@ -82,7 +82,8 @@ bool overLimit(const MeshState& state) {
 Asker askerOf(const MeshState& state) {
   const Domain& domain = *state.domain;
   const bool types = classified(state.tree);
-  Quadtree tree = forecastOf(state.tree, domain, state.settings, state.minEdge);
+  const Quadtree& tree = state.tree;
+  std::vector<std::uint8_t> ranks = forecastOf(tree, domain, state.settings, state.minEdge);
   const std::size_t byRank = domain.density.size() + domain.loops.size() * kSources;
   std::vector<Group> groups(byRank + 1);
   groups[byRank].at = midpoint(domain.bounds.lo, domain.bounds.hi);
@@ -100,9 +101,9 @@ Asker askerOf(const MeshState& state) {
     const int rank = rankAtMost(constraint.length * tree.minEdgeInverse * (1.0 + 1e-12));
     leavesIn(tree, latticeBoxOf(tree, reachOf(constraint, domain)), leaves);
     for (const std::int32_t leaf : leaves) {
-      Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
-      if (rank > cell.density) continue;
-      cell.density = static_cast<std::uint8_t>(rank);
+      std::uint8_t& ranked = ranks[static_cast<std::size_t>(leaf)];
+      if (rank > ranked) continue;
+      ranked = static_cast<std::uint8_t>(rank);
       owner[static_cast<std::size_t>(leaf)] = static_cast<std::size_t>(&group - groups.data());
     }
   }
@@ -110,8 +111,8 @@ Asker askerOf(const MeshState& state) {
     const Cell& cell = tree.cells[k];
     if (cell.child >= 0 || (types && cell.type == CellType::outside)) continue;
     std::size_t group = owner[k];
-    if (group == kNobody && cell.density == state.settings.maxRank) group = byRank;
-    if (group != kNobody) groups[group].triangles += trianglesInCell(cell.rank, cell.density);
+    if (group == kNobody && ranks[k] == state.settings.maxRank) group = byRank;
+    if (group != kNobody) groups[group].triangles += trianglesInCell(cell.rank, ranks[k]);
   }
   const Group& most = *std::ranges::max_element(groups, {}, &Group::triangles);
   if (most.curve == kNoId)

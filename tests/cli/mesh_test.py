@@ -17,6 +17,11 @@ FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", 
            "edge_ratio_max", "min_angle_deg", "max_angle_deg", "obtuse", "min_edge_length"]
 
 
+# Chains so close together that a point on one is too near to the next.
+NARROW_HUB = '{"outer": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "min_edge_length": 0.5, "segments": [' \
+             '[[0, 0], [0.3, 6e-7]], [[0, 0], [0.7, 1e-6]], [[0, 0], [0.9, 2e-6]]]}'
+
+
 class Outputs(program.ProgramTest):
     def test_every_format(self):
         names = ["a.msh", "a.vtu", "a.node", "a.svg", "a.png"]
@@ -173,6 +178,20 @@ class Bounds(program.ProgramTest):
                                            r"\(0, 0\), below 60°: no mesh can meet it there")
         text = self.expect(UNMET, run("check", self.path("a.msh"))).stdout
         self.assertRegex(text, r"min_angle_deg +1[34]\S* +> 30 +not met +triangle .*at the input angle of 14.0° at")
+
+
+class CannotGoOn(program.ProgramTest):
+    def test_where_many_curves_meet_their_point_is_named(self):
+        path = self.write("hub.json", NARROW_HUB)
+        error = self.expect(UNMET, run("mesh", path, "-q", "-o", self.path("a.msh"))).stderr
+        self.assertRegex(error, r"cannot go on in stage boundary recovery: .*; 3 curves meet at \(0, 0\);")
+        self.assertEqual(self.files(), ["hub.json"])
+
+    def test_a_point_of_fewer_is_not(self):
+        path = self.write("two.json", NARROW_HUB.replace("[[0, 0], [0.3, 6e-7]], ", "").replace("2e-6", "1.1e-6"))
+        error = self.expect(UNMET, run("mesh", path, "-q", "-o", self.path("a.msh"))).stderr
+        self.assertIn("cannot go on in stage boundary recovery", error)
+        self.assertNotIn("curves meet", error)
 
 
 class Undercut(program.ProgramTest):

@@ -23,6 +23,18 @@ TEST(SessionSettings, AChangeOfSettingsGivesTheMeshOfAFreshRun) {
   EXPECT_EQ(hashOf(doNow(session, command::Change{settings}).state), hashOf(straightRun(domain, settings, nullptr)));
 }
 
+TEST(SessionSettings, AChangeWithNoDomainOpenIsForTheNextOne) {
+  const auto domain = square(0.5);
+  Session session;
+  Settings settings;
+  settings.omega = 0.22;
+  session.apply(command::Change{settings});
+  session.settle(kForever);
+  EXPECT_EQ(session.settings(), settings);
+  EXPECT_EQ(hashOf(doNow(session, command::OpenDomain{domain}).state), hashOf(straightRun(domain, settings, nullptr)));
+  EXPECT_EQ(session.notice(), "") << "there was no domain before that they could be kept from";
+}
+
 TEST(SessionSettings, AChangeBeforeTheFirstDecisionDerivesTheLengthsAgain) {
   const auto domain = square(0.0);
   Session session;

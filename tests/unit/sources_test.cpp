@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/density/constraint_search.h"
 #include "core/geometry/trig.h"
 #include "core/quality/quality.h"
 #include "core/vocabulary.h"
@@ -15,9 +16,16 @@
 namespace triscope {
 namespace {
 
+std::vector<Constraint> allOf(const Domain& domain, const Settings& settings = {}) {
+  ConstraintSearch search = searchFor(domain, domain.minEdgeLength);
+  while (carryOn(search, domain, settings)) {
+  }
+  return search.found;
+}
+
 std::vector<Constraint> from(Rule source, const std::string& json, const Settings& settings = {}) {
   const support::DomainPtr domain = support::domainFrom(json);
-  std::vector<Constraint> all = findConstraints(*domain, settings, domain->minEdgeLength);
+  std::vector<Constraint> all = allOf(*domain, settings);
   std::erase_if(all, [&](const Constraint& c) { return c.source != source; });
   return all;
 }
@@ -52,7 +60,7 @@ TEST(Sources, CurvatureAsksForTheTurnThatOneEdgeMaySpan) {
 TEST(Sources, NothingAsksForLessThanTheSmallestEdge) {
   for (const char* const json : {support::kRound, support::kNotched, support::kCrackedFrame}) {
     const support::DomainPtr domain = support::domainFrom(json);
-    for (const Constraint& c : findConstraints(*domain, {}, domain->minEdgeLength)) {
+    for (const Constraint& c : allOf(*domain)) {
       if (c.source != Rule::short_edge) {
         EXPECT_GE(c.length, domain->minEdgeLength) << name(c.source);
       }
@@ -162,7 +170,7 @@ TEST(Sources, NothingAsksForLessThanAKeptEdgeCanBeSplitInto) {
   const Curve& chain = domain->curves[4];
   ASSERT_LT(distance(chain.a, chain.b), 2.0 * domain->minEdgeLength);
   int corners = 0;
-  for (const Constraint& c : findConstraints(*domain, {}, domain->minEdgeLength)) {
+  for (const Constraint& c : allOf(*domain)) {
     if (c.at != chain.a && c.at != chain.b) continue;
     EXPECT_DOUBLE_EQ(c.length, distance(chain.a, chain.b)) << name(c.source);
     corners += c.source == Rule::corner ? 1 : 0;

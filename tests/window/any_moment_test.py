@@ -1,7 +1,6 @@
 """What is selected, held, pinned or open goes with every moment of the run: its start, where nothing is there yet, the
 ends of its stages, and the time while another domain is being opened."""
 
-import json
 import os
 import unittest
 
@@ -22,18 +21,6 @@ class AnyMoment(harness.WindowTest):
 
     def keys(self, action):
         return chord(self.window.state()["keys"][action][0])
-
-    def open(self, name, content):
-        """The dialog is left behind; the mesh may come later."""
-        path = os.path.join(self.window.folder.name, name)
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(content, file)
-        self.window.key("ctrl+o")
-        self.window.widget("open.path")
-        self.window.key("ctrl+a")
-        self.window.type(path)
-        self.window.key("Return")
-        self.window.wait(lambda s: s["dialog"] == "none", "the dialog to close")
 
     def requests(self, count):
         return self.window.wait(lambda s: len(s["density"]["requests"]) == count, f"{count} density constraints")

@@ -139,12 +139,7 @@ class Compare(harness.WindowTest):
     def test_another_domain_lets_a_go(self):
         self.pin()
         path = f"{harness.SOURCE}/assets/domains/square.json"
-        self.window.key("ctrl+o")
-        self.window.wait(lambda s: s["dialog"] == "open", "the dialog")
-        self.window.click("open.path")
-        self.window.xdotool("key", "ctrl+a")
-        self.window.type(path)
-        self.window.key("Return")
+        self.window.open_by_dialog(path)
         self.window.wait(lambda s: not s["compare"]["pinned"] and s["domain"] == "square", "A to go")
 
 

@@ -1,6 +1,5 @@
 """Opening by name, by dialog and by drop; what happens with a file that is wrong; exporting."""
 
-import json
 import os
 import signal
 import unittest
@@ -13,12 +12,6 @@ CROSSED = {"name": "crossed", "outer": [[0, 0], [4, 4], [4, 0], [0, 4]]}
 
 
 class Files(harness.WindowTest):
-    def write(self, name, content):
-        path = os.path.join(self.window.folder.name, name)
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(content, file) if not isinstance(content, str) else file.write(content)
-        return path
-
     def drop(self, path):
         left, top, width, height = self.window.canvas()
         xdnd.drop(self.display.name, int(self.window.id), path, left + width / 2, top + height / 2)

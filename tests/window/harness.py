@@ -192,6 +192,15 @@ class Window:
         if modifier:
             self.xdotool("keyup", modifier)
 
+    def open_by_dialog(self, path):
+        """The dialog is left behind; the mesh may come later."""
+        self.key("ctrl+o")
+        self.widget("open.path")
+        self.key("ctrl+a")
+        self.type(path)
+        self.key("Return")
+        self.wait(lambda s: s["dialog"] != "open", "the dialog to close")
+
     def hold(self, x, y):
         """Presses the button and keeps it down."""
         self.move(x, y)
@@ -245,6 +254,17 @@ class WindowTest(unittest.TestCase):
 
     arguments = []
     screen = (1280, 800)
+
+    def write(self, name, content):
+        """A file in the window's folder: text, or what is written as JSON. Returns its path."""
+        path = os.path.join(self.window.folder.name, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def open(self, name, content):
+        """Opens a domain written for the purpose."""
+        self.window.open_by_dialog(self.write(name, content))
 
     def setUp(self):
         if not PROGRAM:

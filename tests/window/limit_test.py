@@ -1,7 +1,5 @@
 """A run that would make more triangles than max_triangles asks first, and says beforehand what it estimates."""
 
-import json
-import os
 import unittest
 
 import harness
@@ -12,16 +10,6 @@ SMALL = {"name": "small", "outer": [[0, 0], [8, 0], [8, 8], [0, 8]], "min_edge_l
 
 
 class Limit(harness.WindowTest):
-    def open(self, name, content):
-        path = os.path.join(self.window.folder.name, name)
-        with open(path, "w", encoding="utf-8") as file:
-            json.dump(content, file)
-        self.window.key("ctrl+o")
-        self.window.widget("open.path")
-        self.window.key("ctrl+a")
-        self.window.type(path)
-        self.window.key("Return")
-
     def asked(self):
         return self.window.wait(lambda s: s["dialog"] == "limit", "the question", timeout=120)
 

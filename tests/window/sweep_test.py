@@ -170,12 +170,7 @@ class Sweep(harness.WindowTest):
         self.assertEqual(state["sweep"]["csv"], before["sweep"]["csv"])
         window.settled()
         # Another domain: the sweep is not about it.
-        window.key("ctrl+o")
-        window.wait(lambda s: s["dialog"] == "open", "the dialog")
-        window.click("open.path")
-        window.xdotool("key", "ctrl+a")
-        window.type(f"{harness.SOURCE}/assets/domains/square.json")
-        window.key("Return")
+        window.open_by_dialog(f"{harness.SOURCE}/assets/domains/square.json")
         window.wait(lambda s: s.get("domain") == "square" and s["sweep"]["stale"], "the other domain")
 
     def test_saved_as_the_command_line_writes_it(self):
@@ -344,12 +339,7 @@ class LargeSweep(harness.WindowTest):
     def test_another_domain_ends_it(self):
         window = self.window
         self.begin()
-        window.key("ctrl+o")
-        window.wait(lambda s: s["dialog"] == "open", "the dialog")
-        window.click("open.path")
-        window.xdotool("key", "ctrl+a")
-        window.type(BLUNT_BODY)
-        window.key("Return")
+        window.open_by_dialog(BLUNT_BODY)
         state = window.wait(lambda s: s.get("domain") == "blunt body" and not s["sweep"]["running"], "the sweep to end")
         self.assertNotIn("csv", state["sweep"])
         window.settled()

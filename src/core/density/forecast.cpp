@@ -13,8 +13,9 @@ struct Wish {
 };
 
 // Of boxes that hold a cell as a whole only the lowest rank goes further down.
-void lower(Quadtree& tree, std::int32_t index, const std::vector<Wish>& wishes, std::uint8_t rank) {
-  Cell& cell = tree.cells[static_cast<std::size_t>(index)];
+void lower(const Quadtree& tree, std::int32_t index, const std::vector<Wish>& wishes, std::uint8_t rank,
+           std::vector<std::uint8_t>& ranks) {
+  const Cell& cell = tree.cells[static_cast<std::size_t>(index)];
   const Point lo = tree.corner(cell);
   const Point hi = lo + Point{tree.side(cell), tree.side(cell)};
   std::vector<Wish> partly;
@@ -27,15 +28,16 @@ void lower(Quadtree& tree, std::int32_t index, const std::vector<Wish>& wishes, 
       partly.push_back(wish);
   }
   if (cell.child < 0) {
-    cell.density = std::min(cell.density, rank);
+    ranks[static_cast<std::size_t>(index)] = std::min(cell.density, rank);
     return;
   }
-  for (std::int32_t k = 0; k < 4; ++k) lower(tree, cell.child + k, partly, rank);
+  for (std::int32_t k = 0; k < 4; ++k) lower(tree, cell.child + k, partly, rank, ranks);
 }
 
 }  // namespace
 
-Quadtree forecastOf(const Quadtree& tree, const Domain& domain, const Settings& settings, double minEdge) {
+std::vector<std::uint8_t> forecastOf(const Quadtree& tree, const Domain& domain, const Settings& settings,
+                                     double minEdge) {
   std::vector<Wish> wishes;
   for (const DensityRequest& request : domain.density) {
     if (request.where != DensityRequest::Where::box) continue;
@@ -43,15 +45,15 @@ Quadtree forecastOf(const Quadtree& tree, const Domain& domain, const Settings& 
     const int rank = rankAtMost(wish * tree.minEdgeInverse * (1.0 + 1e-12));
     wishes.push_back({{request.at, request.to}, static_cast<std::uint8_t>(rank)});
   }
-  Quadtree end = tree;
-  lower(end, 0, wishes, static_cast<std::uint8_t>(settings.maxRank));
-  return end;
+  std::vector<std::uint8_t> ranks(tree.cells.size());
+  lower(tree, 0, wishes, static_cast<std::uint8_t>(settings.maxRank), ranks);
+  return ranks;
 }
 
-double trianglesInTree(const Quadtree& tree) {
+double trianglesInTree(const Quadtree& tree, const std::vector<std::uint8_t>& ranks) {
   double triangles = 0.0;
-  for (const Cell& cell : tree.cells)
-    if (cell.child < 0) triangles += trianglesInCell(cell.rank, cell.density);
+  for (std::size_t k = 0; k < tree.cells.size(); ++k)
+    if (tree.cells[k].child < 0) triangles += trianglesInCell(tree.cells[k].rank, ranks[k]);
   return triangles;
 }
 

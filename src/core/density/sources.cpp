@@ -49,13 +49,6 @@ LoopDemand greediestAlong(const Domain& domain, double minEdge) {
   return most;
 }
 
-std::vector<Constraint> findConstraints(const Domain& domain, const Settings& settings, double minEdge) {
-  ConstraintSearch search = searchFor(domain, minEdge);
-  while (carryOn(search, domain, settings)) {
-  }
-  return std::move(search.found);
-}
-
 double finestLength(const Domain& domain, double minEdge) {
   const double shortest = shortestLine(domain).length;
   double finest = minEdge;

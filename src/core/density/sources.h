@@ -4,17 +4,12 @@
 
 #include <functional>
 #include <optional>
-#include <vector>
 
 #include "core/density/constraint.h"
 #include "core/domain/domain.h"
 #include "core/settings.h"
 
 namespace triscope {
-
-/// Every constraint of the domain, source by source and curve by curve. Lengths are at least minEdge,
-/// but for short_edge. A stage looks for them step by step: see constraint_search.h.
-std::vector<Constraint> findConstraints(const Domain& domain, const Settings& settings, double minEdge);
 
 /// Edge length that the user asks for; `minEdge` is Δx, which ranks are multiples of.
 double lengthWanted(const DensityRequest& request, double minEdge);

@@ -1,6 +1,7 @@
 #include "core/mesh/cavity.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/change_log.h"
@@ -72,12 +73,12 @@ void take(Cavity& cavity, std::int32_t slot) {
 // From the open edges, of which there is at least one. Depth first, edges counter-clockwise, so that the rim comes out
 // in order around the point. Each vertex is looked at once, and an in-circle test needs but one new one: the areas with
 // the other two edges of a triangle are those of its own test.
-// With kMarks, what is in the cavity is marked, and not entered again. Where the first triangle holds the point that
-// cannot come up, since each other one is entered through the one edge that hides it from the point; but it can where
-// the point splits an edge of a bent curve, or lies in a hole. Without marks such a cavity has no end: false when it
-// has more triangles than there are.
+// With kMarks, what is in the cavity is marked, and not entered again. From one triangle that is not needed: of any
+// other whose circle holds the point, one edge alone hides it from the point, and its apex is seen through that edge.
+// What is entered through the other two is seen through less and less, and so never comes round again. But it can where
+// the point splits an edge: it looks from both sides of it, and may lie off it where the curve is bent.
 template <bool kMarks>
-bool grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
+void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
   const Triangle* const all = mesh.triangles.data();
   const Point* const points = mesh.points.data();
   std::uint8_t* const flags = mesh.flags.data();
@@ -123,7 +124,7 @@ bool grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
       if (inside == 0) inside = detail::incircleExact(points[t.v[0]], points[t.v[1]], points[t.v[2]], p);
       if (inside > 0 && (!kMarks || (flags[slot] & kInCavity) == 0)) {
         if (count == capacity) {
-          if (count > mesh.triangles.size()) return false;
+          assert(count <= mesh.triangles.size());
           cavity.triangleCount = count;
           makeRoom(cavity, 2 * capacity);
           capacity = cavity.capacity;
@@ -166,7 +167,6 @@ bool grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
   cavity.sightCount = static_cast<std::size_t>(sightCount);
   cavity.nearest = nearest;
   cavity.walled = walled;
-  return true;
 }
 
 void unmark(Mesh& mesh, const Cavity& cavity) {
@@ -179,24 +179,12 @@ std::int32_t halfEdgeOf(const Mesh& mesh, const Cavity::RimEdge& edge) {
   return edge.isWall() ? edge.wall() : oppositeOf(mesh, edge.across);
 }
 
-namespace {
-
-template <bool kMarks>
-bool growFrom(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
+void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
   begin(cavity, p);
   for (const std::int32_t vertex : triangleAt(mesh, start).v) look(mesh, cavity, vertex);
   for (int i = 0; i < 3; ++i) cavity.open[at(2 - i)] = openEdge(mesh, cavity, start, i, next3(i), prev3(i));
   take(cavity, start);
-  if constexpr (kMarks) mesh.flags[at(start)] |= kInCavity;
-  return grow<kMarks>(mesh, cavity, 3);
-}
-
-}  // namespace
-
-void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
-  if (growFrom<false>(mesh, p, start, cavity)) return;
-  growFrom<true>(mesh, p, start, cavity);
-  unmark(mesh, cavity);
+  grow<false>(mesh, cavity, 3);
 }
 
 bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity) {

@@ -19,8 +19,6 @@ int wishedRank(const MeshState& state, const Constraint& constraint) {
   return std::min({rank, state.settings.maxRank, 3 * state.tree.cells[0].rank});
 }
 
-constexpr int kPiece = 1024;  // cells looked at before a driver may look up: some microseconds
-
 // Down the tree to the leaves that constraints hold in, constraint by constraint: index is the constraint, worklist the
 // cells still to look at for it, the next one last. Decided after a leaf that `decide(constraint, leaf)` was true for.
 template <class Decide>

@@ -22,9 +22,11 @@ void lookAhead(MeshState& state, Journal& journal) {
   if (cells > std::max(most, kFewestCells)) return holdToLimit(state, static_cast<double>(cells), journal);
   const bool fourfold = std::bit_floor(cells) == cells - 1 && std::countr_zero(cells - 1) % 2 == 0;  // cells: 4k + 1
   if (cells < kFirstLook || !fourfold) return;
-  Quadtree end = forecastOf(state.tree, *state.domain, state.settings, state.minEdge);
-  if (trianglesInTree(end) > state.settings.maxTriangles)
-    holdToLimit(state, classifyCells(end, *state.domain), journal);
+  const std::vector<std::uint8_t> ranks = forecastOf(state.tree, *state.domain, state.settings, state.minEdge);
+  if (trianglesInTree(state.tree, ranks) <= state.settings.maxTriangles) return;
+  Quadtree end = state.tree;
+  for (std::size_t k = 0; k < cells; ++k) end.cells[k].density = ranks[k];
+  holdToLimit(state, classifyCells(end, *state.domain), journal);
 }
 
 }  // namespace

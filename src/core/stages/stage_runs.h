@@ -18,6 +18,9 @@ Outcome runSteps(MeshState& state, Journal& journal);  // step 1 … 5, by state
 Outcome runRepair(MeshState& state, Journal& journal);
 Outcome runRefine(MeshState& state, Journal& journal);
 
+/// Cells that a stage looks at before it says `worked`: some microseconds.
+inline constexpr int kPiece = 1024;
+
 /// An event that carries the stage and round of the state.
 inline Event eventIn(const MeshState& state, EventKind kind, Rule rule) {
   Event event;
