@@ -22,6 +22,7 @@ struct Layer {
 };
 constexpr std::array kLayers{
     Layer{"memory/", 0},
+    Layer{"core/assert", 0},
     Layer{"core/geometry/", 0},
     Layer{"core/result", 1},
     Layer{"core/counted", 1},
