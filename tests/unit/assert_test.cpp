@@ -55,6 +55,14 @@ TEST(AssertDeathTest, WhatIsRememberedOfARunHoldsItsOwn) {
   EXPECT_DEATH(history.append({{start, 0, 1}}), "keyframes are put back in the order of the run");
 }
 
+TEST(AssertDeathTest, WithHeavyChecksTheLibraryMindsItsIndices) {
+  if constexpr (kHeavyChecks) {
+    const std::vector<int> three(3);
+    volatile std::size_t beyond = 3;
+    EXPECT_DEATH((void)three[beyond], "Assertion");
+  }
+}
+
 TEST(AssertDeathTest, HeavyChecksAreMadeWhereTheyAreAskedFor) {
   bool made = false;
   TRISCOPE_DCHECK(made = true, "what is assigned is true");
