@@ -46,6 +46,13 @@ TEST(ConstraintSearch, CarriesOnFromAnyCopy) {
   }
 }
 
+// The steps along a curve had a least that was above their most, which std::clamp does not allow.
+TEST(ConstraintSearch, CurvesMayBeShortBesideTheSmallestEdge) {
+  const support::DomainPtr domain = support::domainFrom(R"({"min_edge_length": 1, "outer": [[0,0],[8,0],[8,8],[0,8]],
+    "holes": [[[3,3],[5,3],[5,5],[3,5]], {"kind": "circle", "centre": [6.5, 4], "radius": 0.5}]})");
+  EXPECT_EQ(support::after(domain, Stage::constraints).stage, Stage::quadtree);
+}
+
 TEST(ConstraintSearch, TellsHowFarItIs) {
   const support::DomainPtr domain = support::domainFrom(support::kNotched);
   ConstraintSearch search = searchFor(*domain, 0.07);
