@@ -25,6 +25,7 @@ constexpr std::array kLayers{
     Layer{"core/assert", 0},
     Layer{"core/geometry/", 0},
     Layer{"core/result", 1},
+    Layer{"core/version", 1},
     Layer{"core/counted", 1},
     Layer{"core/number", 1},
     Layer{"core/stage.h", 1},
