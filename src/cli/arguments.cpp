@@ -10,6 +10,7 @@
 
 #include "cli/exit_codes.h"
 #include "cli/stage_names.h"
+#include "core/version.h"
 
 namespace triscope {
 namespace {
@@ -222,7 +223,7 @@ ExitCode complain(const Error& error) {
 
 std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv) {
   CLI::App app{"Triscope shows and steps through the generation of triangle meshes.", "triscope"};
-  app.set_version_flag("--version", "triscope " TRISCOPE_VERSION, "Print the version and exit");
+  app.set_version_flag("--version", "triscope " + thisVersion().program, "Print the version and exit");
   app.require_subcommand(0, 1);
   app.footer(exitCodesHelp());
 

@@ -22,9 +22,12 @@ Error unmet(std::string message, std::string hint, const std::string& file) {
   return {.code = ExitCode::unmet, .message = std::move(message), .hint = std::move(hint), .file = file};
 }
 
-/// Tells of a domain file that is not what the session holds: one of them has been edited.
+/// Tells of a session that another version saved, and of a domain file that is not what the session holds: one of them
+/// has been edited.
 void noteChanges(const SessionFile& session, bool quiet) {
   if (quiet) return;
+  if (const std::string note = versionNote(session.madeBy); !note.empty())
+    fmt::print(stderr, "note: the session was {}\n", note);
   const Result<std::string> text = readTextFile(session.domainFile);
   if (!text.ok())
     fmt::print(stderr, "note: {} is not there; the session's own copy is used\n", session.domainFile);
@@ -36,11 +39,15 @@ void noteChanges(const SessionFile& session, bool quiet) {
 /// What differs first, of the stages recorded and those of this run.
 std::optional<Error> difference(const SessionFile& session, const std::vector<StageHash>& now,
                                 const std::string& file) {
+  const std::string note = versionNote(session.madeBy);
+  const std::string hint = note.empty()
+                               ? "the session was edited, or the program has a defect: this very version saved it"
+                               : "the session was edited, or " + note;
   for (std::size_t k = 0; k < session.hashes.size(); ++k) {
     const StageHash& then = session.hashes[k];
     if (k >= now.size())
       return unmet(fmt::format("the run differs: it ends before the end of {} at tick {}", stageOf(then), then.tick),
-                   "the session comes from another version of the program, or was edited", file);
+                   hint, file);
     if (then == now[k]) continue;
     return unmet(
         fmt::format("the run differs at the end of {}: the session has hash {:016x} at tick {}, this run {:016x} at "
@@ -49,7 +56,7 @@ std::optional<Error> difference(const SessionFile& session, const std::vector<St
                     now[k].stage == then.stage && now[k].round == then.round
                         ? std::string()
                         : fmt::format(" at the end of {}", stageOf(now[k]))),
-        "the session comes from another version of the program, or was edited", file);
+        hint, file);
   }
   return std::nullopt;
 }

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "core/assert.h"
 #include "core/density/quadtree.h"
 #include "core/density/sources.h"
 #include "core/domain/loop_of.h"
 #include "core/domain/shortest_line.h"
+#include "core/mesh/validate.h"
 #include "core/stages/stage_runs.h"
 
 namespace triscope {
@@ -73,7 +75,15 @@ Stage after(const MeshState& state) {
   return static_cast<Stage>(static_cast<int>(state.stage) + 1);
 }
 
+// Empty where nothing is broken. Boundary edges are known to the mesh once it is carved.
+[[maybe_unused]] std::string brokenAfter(const MeshState& state) {
+  const bool settled = state.stage < Stage::carve || state.failed || state.cursor.changes == 0;
+  const std::vector<Violation> found = settled ? std::vector<Violation>{} : validate(state.mesh, 1);
+  return found.empty() ? "" : fmt::format("after {} {}", infoOf(state.stage).name, found.front().message);
+}
+
 void leaveStage(MeshState& state, Journal& journal) {
+  TRISCOPE_DCHECK(brokenAfter(state).empty(), brokenAfter(state));
   recordStage(state, EventKind::stage_finished, state.cursor.changes, journal);
   (state.stage == Stage::refine ? state.passesDone : state.roundsDone) = state.round;
   state.stage = after(state);

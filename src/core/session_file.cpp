@@ -19,6 +19,7 @@ namespace {
 constexpr std::string_view kFormat = "triscope session";
 constexpr double kVersion = 1.0;
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: what a JSON number holds exactly
+constexpr double kMostMethods = 1e9;
 constexpr std::uint64_t kBeatsPerPulse = 1024;
 constexpr std::array<std::string_view, 3> kActions{"stop", "log", "mark"};  // in the order of Breakpoint::Action
 
@@ -259,12 +260,14 @@ std::string sessionText(const SessionFile& s) {
                            jsonNumber(s.view->centre.y), jsonNumber(s.view->scale))
              : "";
   const std::string savedAs = s.savedAs.empty() ? "" : fmt::format("\n  \"saved_as\": {},", quoted(s.savedAs));
+  const MadeBy now = thisVersion();
   return fmt::format(
-      "{{\n  \"format\": {},\n  \"version\": {:g},\n  \"domain\": {{\"file\": {}, \"text\": {}}},\n  \"settings\": "
+      "{{\n  \"format\": {},\n  \"version\": {:g},\n  \"program_version\": {},\n  \"method_version\": {},\n"
+      "  \"domain\": {{\"file\": {}, \"text\": {}}},\n  \"settings\": "
       "{},\n"
       "  \"tick\": {},\n  \"breakpoints\": {},\n  \"bookmarks\": {},\n  \"notes\": {},{}{}\n  \"hashes\": {}\n}}\n",
-      jsonText(kFormat), kVersion, quoted(s.domainFile), quoted(s.domainText), settingsText(s.settings), s.tick,
-      breakpoints, bookmarks, quoted(s.notes), view, savedAs, hashes);
+      jsonText(kFormat), kVersion, jsonText(now.program), now.method, quoted(s.domainFile), quoted(s.domainText),
+      settingsText(s.settings), s.tick, breakpoints, bookmarks, quoted(s.notes), view, savedAs, hashes);
 }
 
 bool isSession(std::string_view json) {
@@ -283,6 +286,8 @@ Result<SessionFile> parseSession(std::string_view json, const std::string& fileN
   if (parsed.ok()) {
     Members root(*parsed, "", error);
     checkFormat(root);
+    root.text("program_version", session.madeBy.program);
+    root.whole("method_version", kMostMethods, session.madeBy.method);
     readDomainPart(root, error, session);
     readSettings(root, session.settings);
     root.whole("tick", kLargestWhole, session.tick);

@@ -13,6 +13,7 @@
 #include "core/result.h"
 #include "core/settings.h"
 #include "core/state.h"
+#include "core/version.h"
 
 namespace triscope {
 
@@ -39,6 +40,7 @@ struct SavedView {
 };
 
 struct SessionFile {
+  MadeBy madeBy;           // as read; what is written says which version writes it
   std::string domainFile;  // where it was read from; may be gone, the text below is what counts
   std::string domainText;
   Settings settings;

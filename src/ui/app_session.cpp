@@ -83,6 +83,8 @@ void App::beginDocument() {
   if (opening && opening->kept) autosave_.adopt(*opening->kept);
   if (lost || document.unsaved) document.kept = autosave_.keptWork();
   if (document.kept.empty()) document.offering = false;
+  const std::string note = opening ? versionNote(opening->file.madeBy) : std::string();
+  if (!note.empty()) ui_.message = "The session was " + note + ".";
   if (lost) ui_.message = "The work from before was not saved and is kept: File, Restore unsaved work.";
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/version.h"
 #include "ui/dialogs.h"
 #include "ui/widgets.h"
 
@@ -119,7 +120,7 @@ void drawHelpDialog(const View& view, Orders& orders) {
 void drawAboutDialog(const View& view, Orders& orders) {
   if (!beginDialog(view, "About Triscope", 460)) return;
   ImGui::PushFont(view.fonts.title);
-  ImGui::TextUnformatted("Triscope " TRISCOPE_VERSION);
+  ImGui::TextUnformatted(("Triscope " + thisVersion().program).c_str());
   ImGui::PopFont();
   wrapped(
       "Shows, step by step, how an unstructured triangle mesh comes about: density from a background quadtree, "

@@ -149,7 +149,7 @@ class Answers(Debug):
 
     def test_an_event_asked_for_is_the_event_recorded(self):
         self.expect(OK, run("mesh", ANNULUS, "--events", self.path("e.jsonl"), "-q"))
-        recorded = [json.loads(line) for line in (self.folder / "e.jsonl").read_text().splitlines()]
+        recorded = [json.loads(line) for line in (self.folder / "e.jsonl").read_text().splitlines()[1:]]
         answer = self.ask(ANNULUS, "--print", "events:100-119")["answers"][0]
         self.assertEqual(answer["events"], recorded[100:120])
         self.assertEqual(len(answer["lines"]), 20)
@@ -236,6 +236,18 @@ class Sessions(Debug):
             self.assertIn("0123456789abcdef", process.stderr)
             self.assertIn(f"tick {session['hashes'][k]['tick']}", process.stderr)
             self.assertIn(stage.replace("step", "step "), process.stderr)
+
+    def test_another_version_is_noted(self):
+        session = self.session()
+        self.assertEqual(self.replay(session, OK).stderr, "")
+        session["program_version"], session["method_version"] = "0.0.1", 1
+        self.assertIn("note: the session was saved by triscope 0.0.1 with version 1 of the method; this is ",
+                      self.replay(session, OK).stderr)
+        session["hashes"][0]["hash"] = "0123456789abcdef"
+        self.assertIn("or saved by triscope 0.0.1", self.replay(session, UNMET).stderr)
+        del session["method_version"]
+        session["hashes"] = []
+        self.assertIn("did not say which it was", self.replay(session, OK).stderr)
 
     def test_a_setting_that_was_changed_shows(self):
         session = self.session()

@@ -79,8 +79,10 @@ class Outputs(program.ProgramTest):
         self.expect(OK, run("mesh", STEP, "--events", self.path("e.jsonl")))
         lines = (self.folder / "e.jsonl").read_text().splitlines()
         self.assertGreater(len(lines), 10)
-        for line in lines:
-            self.assertIsInstance(json.loads(line), dict)
+        version = self.expect(OK, run("--version")).stdout.split()[1]
+        self.assertEqual(json.loads(lines[0])["program_version"], version)
+        for number, line in enumerate(lines[1:]):
+            self.assertEqual(json.loads(line)["event"], number)
 
     def test_a_listener_does_not_change_the_mesh(self):
         self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh")))

@@ -16,7 +16,7 @@ SOURCE = pathlib.Path(os.environ["TRISCOPE_SOURCE_DIR"])
 GOLDEN = SOURCE / "tests" / "golden"
 APPROVE = bool(os.environ.get("TRISCOPE_APPROVE"))
 SAMPLES = sorted(SOURCE.glob("assets/domains/*.json"))
-FIGURES = ["vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
+FIGURES = ["method_version", "vertices", "triangles", "boundary_vertices", "estimated_triangles", "aspect_ratio_max", "area_ratio_max",
            "edge_ratio_max", "min_angle_deg", "max_angle_deg", "obtuse", "min_edge_length"]
 
 
@@ -51,7 +51,8 @@ class Golden(unittest.TestCase):
                     continue
                 self.assertTrue(golden.exists(), f"{golden.name} is missing: run ./test --approve and look at it")
                 self.assertEqual(json.loads(golden.read_text(encoding="utf-8")), now,
-                                 "changed; if that is meant, ./test --approve, and say why in the commit")
+                                 "changed; if that is meant, raise kMethodVersion (core/version.h), ./test --approve, "
+                                 "and say why in the commit")
 
     def test_no_golden_without_a_sample(self):
         stems = {sample.stem for sample in SAMPLES}

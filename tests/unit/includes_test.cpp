@@ -22,8 +22,10 @@ struct Layer {
 };
 constexpr std::array kLayers{
     Layer{"memory/", 0},
+    Layer{"core/assert", 0},
     Layer{"core/geometry/", 0},
     Layer{"core/result", 1},
+    Layer{"core/version", 1},
     Layer{"core/counted", 1},
     Layer{"core/digest", 1},
     Layer{"core/number", 1},

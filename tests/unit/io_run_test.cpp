@@ -14,6 +14,7 @@
 #include "core/io/report.h"
 #include "core/mesh/edit.h"
 #include "core/pipeline.h"
+#include "core/version.h"
 #include "core/vocabulary.h"
 
 namespace triscope {
@@ -148,6 +149,8 @@ TEST(Report, HasEveryKeyAndAgreesWithTheMeasures) {
   StageSeconds seconds{};
   seconds[static_cast<std::size_t>(Stage::step3)] = 0.25;
   const json report = json::parse(reportOf(state, q, seconds));
+  EXPECT_EQ(report.at("program_version"), thisVersion().program);
+  EXPECT_EQ(report.at("method_version"), kMethodVersion);
   EXPECT_EQ(report.at("domain"), "frame \"A\"");
   EXPECT_EQ(report.at("vertices"), q.vertices);
   EXPECT_EQ(report.at("triangles"), q.triangles);
@@ -250,6 +253,8 @@ TEST(Events, FileAppearsWhenItIsComplete) {
 
   std::ifstream in(path);
   std::string line;
+  ASSERT_TRUE(std::getline(in, line));
+  EXPECT_EQ(json::parse(line), json({{"program_version", thisVersion().program}, {"method_version", kMethodVersion}}));
   std::size_t number = 0;
   while (std::getline(in, line)) {
     const json parsed = json::parse(line);

@@ -76,6 +76,19 @@ TEST(SessionFile, IsReadBackAsItWasWritten) {
   EXPECT_EQ(sessionText(before), sessionText(*after));
 }
 
+TEST(SessionFile, SaysWhichVersionSavedIt) {
+  const Result<SessionFile> read = parseSession(sessionText(sample()), "x");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->madeBy.program, thisVersion().program);
+  EXPECT_EQ(read->madeBy.method, kMethodVersion);
+  const Result<SessionFile> other = parseSession(with(R"("program_version": "0.0.1", "method_version": 1)"), "x");
+  ASSERT_TRUE(other.ok()) << "another version is no reason to refuse it";
+  EXPECT_EQ(other->madeBy.program, "0.0.1");
+  EXPECT_EQ(other->madeBy.method, 1);
+  EXPECT_EQ(parseSession(with(R"("tick": 1)"), "x")->madeBy.method, 0);
+  EXPECT_NE(complaint(with(R"("method_version": "two")")), "");
+}
+
 TEST(SessionFile, GoesThroughAFile) {
   const std::string path = testing::TempDir() + "triscope_session_test.json";
   ASSERT_TRUE(writeSession(path, sample()).ok());

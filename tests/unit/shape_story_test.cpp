@@ -5,6 +5,7 @@
 
 #include "core/debug/life.h"
 #include "core/quality/quality.h"
+#include "core/vocabulary.h"
 #include "support/recorded.h"
 
 namespace triscope {

@@ -23,8 +23,8 @@
 #include "render/pick.h"
 #include "render/picture.h"
 #include "render/scene.h"
-#include "session_driver.h"
 #include "support/random.h"
+#include "support/session_driver.h"
 
 namespace triscope {
 namespace {

@@ -25,6 +25,10 @@ struct Look {
   }
 };
 
+// So much, but no less than the least and no more than the most: along a curve that is short beside Δx the most is
+// below the least, and holds.
+double stepOf(double wish, double least, double most) { return std::min(std::max(wish, least), most); }
+
 void curvature(const Look& look, std::uint32_t index) {
   const Curve& curve = look.domain.curves[index];
   if (curve.kind == CurveKind::line) return;
@@ -35,7 +39,7 @@ void curvature(const Look& look, std::uint32_t index) {
     const double bend = curvatureAt(curve, t);
     const double wish = bend > 0.0 ? turn / bend : extent;
     if (wish < 0.25 * extent) look.ask(pointAt(curve, t), wish, Rule::curvature, index);
-    const double step = std::clamp(0.5 * wish, std::max(look.search.minEdge, 1e-4 * total), total / 32.0);
+    const double step = stepOf(0.5 * wish, std::max(look.search.minEdge, 1e-4 * total), total / 32.0);
     t += step / std::max(length(derivativeAt(curve, t)), 1e-6 * total);
   }
 }
@@ -108,7 +112,7 @@ bool gapAcross(const Look& look) {
       look.ask(at + width * normal, wish, Rule::gap, search.index);
     }
   }
-  search.along += std::clamp(0.5 * width, std::max(search.minEdge, 1e-3 * total), total / 3.0);
+  search.along += stepOf(0.5 * width, std::max(search.minEdge, 1e-3 * total), total / 3.0);
   return true;
 }
 

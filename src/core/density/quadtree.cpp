@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "core/assert.h"
+
 namespace triscope {
 namespace {
 
@@ -94,6 +96,7 @@ Quadtree rootOver(const Box& box, double minEdge) {
 std::int32_t splitCell(Quadtree& tree, std::int32_t leaf) {
   const auto first = static_cast<std::int32_t>(tree.cells.size());
   const Cell parent = cellAt(tree, leaf);
+  TRISCOPE_CHECK(parent.child < 0 && parent.rank > 1, "a cell is split once, and not below rank 1");
   tree.cells[static_cast<std::size_t>(leaf)].child = first;
   Cell child = parent;
   child.child = -1;

@@ -24,13 +24,13 @@ struct Loop {
 /// An edge length (or rank) that the user asks for somewhere.
 struct DensityRequest {
   enum class Where : std::uint8_t { point, loop, box } where = Where::point;
-  Point at;             // point; lower corner of the box
-  Point to;             // upper corner of the box
-  std::string loop;     // name of the loop
-  int rank = 0;         // density rank >= 1, or 0 when a length is given
-  double length = 0.0;  // edge length > 0, or 0 when a rank is given
-  std::string name;     // label shown to the user, may be empty
-  std::string description;
+  Point at = {};          // point; lower corner of the box
+  Point to = {};          // upper corner of the box
+  std::string loop = {};  // name of the loop
+  int rank = 0;           // density rank >= 1, or 0 when a length is given
+  double length = 0.0;    // edge length > 0, or 0 when a rank is given
+  std::string name = {};  // label shown to the user, may be empty
+  std::string description = {};
   friend bool operator==(const DensityRequest&, const DensityRequest&) = default;
 };
 

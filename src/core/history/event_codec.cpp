@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/assert.h"
+
 namespace triscope {
 namespace {
 
@@ -223,6 +225,7 @@ Unpacked EventCodec::unpack(const std::uint8_t*& bytes) {
     pattern.parts = static_cast<std::uint16_t>(getNumber(bytes));
     patterns_.push_back(pattern);
   }
+  TRISCOPE_CHECK(number < patterns_.size(), "the pattern of an event has been told");
   const Pattern& pattern = patterns_[number];
   const unsigned parts = pattern.parts;
   Unpacked unpacked;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/assert.h"
 #include "core/vocabulary.h"
 
 namespace triscope {
@@ -68,6 +69,7 @@ void EventLog::packTail() {
 }
 
 void EventLog::truncate(std::size_t count) {
+  TRISCOPE_CHECK(count <= size(), "no more events are kept than there are");
   for (std::size_t k = size(); k-- > count;) {
     const Unpacked& dropped = unpacked(k);
     const Event& e = dropped.event;
@@ -102,10 +104,12 @@ const EventLog::OpenBlock& EventLog::open(std::size_t block) const {
   EventCodec codec;
   const std::uint8_t* bytes = blocks_[block].data();
   for (std::size_t k = 0; k < kBlock; ++k) open.events.push_back(codec.unpack(bytes));
+  TRISCOPE_CHECK(bytes == blocks_[block].data() + blocks_[block].size(), "a block of events is read to its end");
   return open;
 }
 
 const Unpacked& EventLog::unpacked(std::size_t index) const {
+  TRISCOPE_CHECK(index < size(), "an event that is read has been made");
   const std::size_t block = index / kBlock;
   return block == blocks_.size() ? tail_[index - packedSize()] : open(block).events[index % kBlock];
 }
@@ -113,6 +117,7 @@ const Unpacked& EventLog::unpacked(std::size_t index) const {
 Event EventLog::operator[](std::size_t index) const {
   const Unpacked& there = unpacked(index);
   Event event = there.event;
+  TRISCOPE_CHECK(there.back <= index, "a vertex was put where it is by an event before");
   if (there.back > 0) event.from = peek(index - there.back).at;
   return event;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/assert.h"
+
 namespace triscope {
 namespace {
 
@@ -40,6 +42,7 @@ void History::restart(const MeshState& start) {
 }
 
 void History::take(const MeshState& state, std::uint64_t events) {
+  TRISCOPE_CHECK(!keyframes_.empty(), "the keyframe of the start is kept whatever the budget");
   const std::size_t size = bytesOf(state);
   while (bytes_ + size > budget_ && keyframes_.size() > 1) thin();
   nextTick_ = keyframes_.back().state.tick + spacing_;
@@ -77,6 +80,8 @@ std::vector<Keyframe> History::splitAfter(std::uint64_t tick) {
 
 void History::append(std::vector<Keyframe> later) {
   for (Keyframe& keyframe : later) {
+    TRISCOPE_CHECK(keyframe.state.tick > keyframes_.back().state.tick && keyframe.events >= keyframes_.back().events,
+                   "keyframes are put back in the order of the run");
     bytes_ += keyframe.bytes;
     keyframes_.push_back(std::move(keyframe));
   }
@@ -84,6 +89,7 @@ void History::append(std::vector<Keyframe> later) {
 }
 
 const Keyframe& History::before(std::uint64_t tick) const {
+  TRISCOPE_CHECK(!keyframes_.empty(), "a history is begun before it is read");
   auto after = std::upper_bound(keyframes_.begin(), keyframes_.end(), tick,
                                 [](std::uint64_t t, const Keyframe& k) { return t < k.state.tick; });
   return after == keyframes_.begin() ? *after : *(after - 1);

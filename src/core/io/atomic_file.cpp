@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/assert.h"
 #include "core/io/file_identity.h"
 #include "core/io/stop.h"
 #include "core/io/temporary_name.h"
@@ -140,6 +141,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path, Flush flush) {
 }
 
 Status AtomicFile::write(std::string_view text) {
+  TRISCOPE_CHECK(descriptor_ >= 0, "nothing is written to a file that is complete");
   if (direct_ && !text.empty()) noteWritten(Written::direct);
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor_, text.data(), text.size());

@@ -4,6 +4,7 @@
 
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
+#include "core/version.h"
 #include "core/vocabulary.h"
 
 namespace triscope {
@@ -124,6 +125,12 @@ std::string eventLine(const Event& event, std::uint64_t number) {
   TextBuffer line;
   appendEvent(line, event, number);
   return {line.data(), line.size()};
+}
+
+EventsFile::EventsFile(AtomicFile& file) : file_(&file) {
+  const MadeBy now = thisVersion();
+  print(buffer_, FMT_COMPILE("{{\"program_version\": {}, \"method_version\": {}}}\n"), jsonText(now.program),
+        now.method);
 }
 
 Result<EventsFile> EventsFile::create(const std::string& path, OutputSet& set) {

@@ -18,7 +18,7 @@ std::string eventLine(const Event& event, std::uint64_t number);
 
 class EventsFile {
  public:
-  /// One file of the set, which must outlive this.
+  /// One file of the set, which must outlive this. Its first line says which version of program and method wrote it.
   static Result<EventsFile> create(const std::string& path, OutputSet& set);
   Status append(std::span<const Event> events);
   /// Everything appended has been written. It takes its place with the set.
@@ -26,7 +26,7 @@ class EventsFile {
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:
-  explicit EventsFile(AtomicFile& file) : file_(&file) {}
+  explicit EventsFile(AtomicFile& file);
 
   AtomicFile* file_;
   std::uint64_t count_ = 0;

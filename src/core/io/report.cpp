@@ -2,6 +2,7 @@
 
 #include "core/io/json_text.h"
 #include "core/pipeline.h"
+#include "core/version.h"
 
 namespace triscope {
 namespace {
@@ -91,6 +92,9 @@ std::string reportOf(const Mesh& mesh, const Quality& quality) {
 
 std::string reportOf(const MeshState& state, const Quality& quality, const StageSeconds& seconds) {
   ObjectText out(0);
+  const MadeBy now = thisVersion();
+  out.add("program_version", jsonText(now.program));
+  out.add("method_version", fmt::format("{}", now.method));
   out.add("domain", jsonText(state.domain != nullptr ? state.domain->name : ""));
   out.add("vertices", quality.vertices);
   out.add("triangles", quality.triangles);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/assert.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
@@ -221,19 +222,11 @@ namespace {
 // Puts the slots that the fan needs beyond those of the cavity behind them: the one freed last, or new ones.
 void takeSlots(Mesh& mesh, Cavity& cavity) {
   std::int32_t* const more = cavity.slots.data() + cavity.capacity;
+  TRISCOPE_CHECK(cavity.triangleCount > 0 && cavity.rimCount > cavity.triangleCount &&
+                     cavity.capacity + cavity.rimCount - cavity.triangleCount < cavity.slots.size(),
+                 "a cavity has one or two edges around it more than it has triangles");
   const std::size_t count = cavity.rimCount - cavity.triangleCount;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!mesh.freeSlots.empty()) {
-      more[k] = mesh.freeSlots.back();
-      mesh.freeSlots.pop_back();
-      continue;
-    }
-    more[k] = static_cast<std::int32_t>(mesh.triangles.size());
-    mesh.triangles.emplace_back();
-    mesh.ids.push_back(0);
-    mesh.flags.push_back(0);
-    mesh.tested.push_back(0);
-  }
+  for (std::size_t k = 0; k < count; ++k) more[k] = takeSlot(mesh);
 }
 
 // Reads what lies beyond each wall while its triangle is there to tell: RimEdge::across becomes -1 where there is
@@ -299,7 +292,9 @@ std::int32_t fillSplitCavity(Mesh& mesh, Cavity& cavity, std::int32_t edge, doub
   for (const std::int32_t e : {edge, rest}) {
     const std::int32_t a = mesh.edges[at(e)].v0;
     const std::int32_t b = mesh.edges[at(e)].v1;
-    for (const std::int32_t half : {findHalfEdge(mesh, a, b), findHalfEdge(mesh, b, a)}) {
+    const std::int32_t left = findHalfEdge(mesh, a, b), right = findHalfEdge(mesh, b, a);
+    TRISCOPE_CHECK(left >= 0 || right >= 0, "both parts of a boundary edge that was split are edges of the mesh");
+    for (const std::int32_t half : {left, right}) {
       if (half >= 0) setConstrained(mesh, half, true);
     }
   }

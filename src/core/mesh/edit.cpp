@@ -1,5 +1,6 @@
 #include "core/mesh/edit.h"
 
+#include "core/assert.h"
 #include "core/mesh/change_log.h"
 
 namespace triscope {
@@ -13,20 +14,26 @@ std::int32_t addVertex(Mesh& mesh, Point p, VertexKind kind, std::uint8_t densit
   return static_cast<std::int32_t>(mesh.points.size()) - 1;
 }
 
-std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_t c) {
-  std::int32_t slot = -1;
+std::int32_t takeSlot(Mesh& mesh) {
   if (mesh.freeSlots.empty()) {
-    slot = static_cast<std::int32_t>(mesh.triangles.size());
+    TRISCOPE_CHECK(mesh.triangles.size() < kMostSlots, "half-edges are numbered in 32 bits");
     mesh.triangles.emplace_back();
     mesh.ids.push_back(0);
-    mesh.flags.push_back(0);
+    mesh.flags.push_back(kDead);
     mesh.tested.push_back(0);
-  } else {
-    slot = mesh.freeSlots.back();
-    mesh.freeSlots.pop_back();
-    mesh.flags[at(slot)] = 0;
-    mesh.tested[at(slot)] = 0;
+    return static_cast<std::int32_t>(mesh.triangles.size()) - 1;
   }
+  const std::int32_t slot = mesh.freeSlots.back();
+  mesh.freeSlots.pop_back();
+  TRISCOPE_CHECK(!mesh.alive(slot), "a free slot holds no triangle");
+  return slot;
+}
+
+std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_t c) {
+  TRISCOPE_CHECK(a != b && b != c && c != a, "a triangle has three corners");
+  const std::int32_t slot = takeSlot(mesh);
+  mesh.flags[at(slot)] = 0;
+  mesh.tested[at(slot)] = 0;
   mesh.triangles[at(slot)] = {{a, b, c}, {-1, -1, -1}};
   mesh.ids[at(slot)] = mesh.nextId++;
   ChangeLog::note(slot);
@@ -37,6 +44,7 @@ std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_
 }
 
 void killTriangle(Mesh& mesh, std::int32_t slot) {
+  TRISCOPE_CHECK(mesh.alive(slot), "a triangle is removed once");
   mesh.flags[at(slot)] = kDead;
   mesh.tested[at(slot)] = kTestedAll;
   mesh.freeSlots.push_back(slot);
@@ -97,6 +105,7 @@ std::int32_t findHalfEdge(const Mesh& mesh, std::int32_t a, std::int32_t b) {
 }
 
 std::int32_t addBoundaryEdge(Mesh& mesh, const BoundaryEdge& edge) {
+  TRISCOPE_CHECK(edge.v0 != edge.v1, "a boundary edge has two ends");
   const auto index = static_cast<std::int32_t>(mesh.edges.size());
   mesh.edges.push_back(edge);
   mesh.edges.back().next0 = mesh.vertexEdge[at(edge.v0)];
@@ -121,6 +130,7 @@ std::int32_t splitBoundaryEdge(Mesh& mesh, std::int32_t e, std::int32_t middle, 
   // In the list of v1 the new edge takes the old one's place.
   std::int32_t* link = &mesh.vertexEdge[at(old.v1)];
   while (*link != e) {
+    TRISCOPE_CHECK(*link >= 0, "a boundary edge is in the lists of both its ends");
     BoundaryEdge& step = mesh.edges[at(*link)];
     link = step.v0 == old.v1 ? &step.next0 : &step.next1;
   }

@@ -9,7 +9,11 @@ inline std::size_t at(std::int32_t index) { return static_cast<std::size_t>(inde
 
 /// A new vertex; no triangle uses it yet.
 std::int32_t addVertex(Mesh& mesh, Point p, VertexKind kind, std::uint8_t density);
-/// A slot for a new triangle with a fresh id; its links are unset.
+/// So many slots have half-edges that fit into 32 bits.
+inline constexpr std::size_t kMostSlots = 0x7fffffff / 3;
+/// The slot freed last, or a new one. It stays dead until a triangle is put there.
+std::int32_t takeSlot(Mesh& mesh);
+/// A triangle in a slot of its own, with a fresh id; its links are unset.
 std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_t c);
 /// Frees the slot. Neighbours still point at it: the caller mends them.
 void killTriangle(Mesh& mesh, std::int32_t slot);

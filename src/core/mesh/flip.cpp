@@ -1,5 +1,6 @@
 #include "core/mesh/flip.h"
 
+#include "core/assert.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
@@ -13,6 +14,7 @@ std::int32_t flipEdge(Mesh& mesh, std::int32_t half) {
   //     \|/               \ /          (drawn turned: the old diagonal is a-b, the new one c-d)
   //      d                 d
   const std::int32_t other = oppositeOf(mesh, half);
+  TRISCOPE_CHECK(other >= 0 && !constrained(mesh, half), "an edge of the boundary is never flipped");
   const std::int32_t left = triangleOf(half);
   const std::int32_t right = triangleOf(other);
   const int i = cornerOf(half);
@@ -21,6 +23,7 @@ std::int32_t flipEdge(Mesh& mesh, std::int32_t half) {
   const std::int32_t b = endOf(mesh, half);
   const std::int32_t c = apexOf(mesh, half);
   const std::int32_t d = apexOf(mesh, other);
+  TRISCOPE_CHECK(c != d && startOf(mesh, other) == b, "two triangles share the edge that is flipped");
   const std::int32_t bc = 3 * left + next3(i);   // b -> c
   const std::int32_t ca = 3 * left + prev3(i);   // c -> a
   const std::int32_t ad = 3 * right + next3(j);  // a -> d

@@ -1,5 +1,6 @@
 #include "core/mesh/patch.h"
 
+#include "core/assert.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
@@ -10,6 +11,7 @@ void extractPatch(const Mesh& mesh, std::int32_t slot, int depth, Patch& patch) 
   if (localSlot.size() < mesh.triangles.size()) localSlot.resize(mesh.triangles.size(), -1);
   if (localVertex.size() < mesh.points.size()) localVertex.resize(mesh.points.size(), -1);
 
+  TRISCOPE_CHECK(localSlot[at(slot)] == -1, "the patch before left no trace");
   patch.slots.assign(1, slot);
   patch.vertices.clear();
   patch.edges.clear();

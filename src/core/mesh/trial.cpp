@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/assert.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
@@ -76,6 +77,8 @@ void takeBack(Trial& trial, const std::vector<std::int32_t>& touched) {
   Mesh& mesh = trial.mesh;
   const std::size_t vertices = from.points.size();
   const std::size_t slots = from.triangles.size();
+  TRISCOPE_CHECK(mesh.points.size() >= vertices && mesh.triangles.size() >= slots && mesh.nextId >= from.nextId,
+                 "what an edit adds comes after what there was");
   mesh.points.resize(vertices);
   mesh.kinds.resize(vertices);
   mesh.density.resize(vertices);

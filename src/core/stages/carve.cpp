@@ -1,4 +1,5 @@
 // Stage "carve" (paper, section 3, Figure 4 b): triangles outside the domain are removed, one per decision.
+#include "core/assert.h"
 #include "core/domain/loop_of.h"
 #include "core/mesh/edit.h"
 #include "core/stages/stage_runs.h"
@@ -19,6 +20,7 @@ void findOutside(MeshState& state) {
   };
   for (const BoundaryEdge& edge : mesh.edges) {
     const std::int32_t inside = findHalfEdge(mesh, edge.v0, edge.v1);
+    TRISCOPE_CHECK(inside >= 0 && oppositeOf(mesh, inside) >= 0, "after the recovery no boundary edge is missing");
     const std::int32_t across = oppositeOf(mesh, inside);
     setConstrained(mesh, inside, true);
     setConstrained(mesh, across, true);

@@ -8,7 +8,7 @@
 
 #include "core/caption.h"
 #include "core/quality_trace.h"
-#include "session_driver.h"
+#include "support/session_driver.h"
 
 namespace triscope {
 namespace {

@@ -2,7 +2,7 @@
 // the change is given up.
 #include <gtest/gtest.h>
 
-#include "session_driver.h"
+#include "support/session_driver.h"
 
 namespace triscope {
 namespace {
