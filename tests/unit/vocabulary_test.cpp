@@ -1,6 +1,7 @@
 // The rows of vocabulary.h: complete, distinct, true of the events that runs make, and each of them made by some run.
 #include "core/vocabulary.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -133,23 +134,32 @@ TEST(Vocabulary, EachWordIsSaidByARunAndIsTrueOfIt) {
   Heard heard;
   const auto check = [](const Event& e, const MeshState& state) {
     const KindWords& words = wordsOf(e.kind);
-    if (words.subject != Names::nothing && words.subject != Names::changes && e.subject != kNoId)
-      ASSERT_LT(e.subject, countOf(words.subject, state)) << words.name << ", " << name(e.rule);
-    if (otherOf(e) != Names::nothing && e.other != kNoId)
-      ASSERT_LT(e.other, countOf(otherOf(e), state)) << words.name << ", " << name(e.rule);
-    if (words.created == Names::nothing) ASSERT_EQ(e.createdCount, 0u) << words.name;
-    ASSERT_EQ(e.vertex != kNoId, e.vertex < state.mesh.points.size()) << words.name;
-    if (does(e, kInserts) || does(e, kMoves)) ASSERT_NE(e.vertex, kNoId) << words.name;
-    if (wordsOf(e.rule).ofVertices) ASSERT_NE(e.vertex, kNoId) << name(e.rule);
+    const auto isOne = [&](Names what, std::uint32_t id) {
+      return what == Names::nothing || what == Names::changes || id == kNoId || id < countOf(what, state);
+    };
+    const std::string said = fmt::format("{}, {}", words.name, name(e.rule));
+    EXPECT_TRUE(isOne(words.subject, e.subject)) << said << ": subject " << e.subject;
+    EXPECT_TRUE(isOne(otherOf(e), e.other)) << said << ": other " << e.other;
+    EXPECT_TRUE(words.created != Names::nothing || e.createdCount == 0) << said;
+    EXPECT_TRUE(e.vertex == kNoId || e.vertex < state.mesh.points.size()) << said;
+    const bool ofVertex = does(e, kInserts) || does(e, kMoves) || wordsOf(e.rule).ofVertices;
+    EXPECT_TRUE(!ofVertex || e.vertex != kNoId) << said;
   };
-  for (const char* const file : {"koch5", "perforated_plate", "cracked_plate", "notch_over_wall", "blunt_body"})
+  for (const char* const file : {"koch5", "cracked_plate", "notch_over_wall", "blunt_body"})
     listen(support::domainAt(support::testData() / (std::string(file) + ".json")), {}, heard, check);
   listen(support::domainAt(support::samples() / "narrow_gap.json"), {}, heard, check);
   Settings few;
   few.maxTriangles = 1000;
   listen(support::domainAt(support::testData() / "blunt_body.json"), few, heard, check);
+  Settings wide;
+  wide.theta = 10.0;  // so far that some turns would turn a triangle over
+  listen(support::domainAt(support::testData() / "perforated_plate.json"), wide, heard, check);
   listen(domainOf(R"({"outer": [[0, 0], [10, 0], [10, 10], [0, 10]], "min_edge_length": 0.5,
                       "density": [{"at": [3, 4], "length": 0.5}]})"),
+         {}, heard, check);
+  // Chains that leave one point at nine degrees.
+  listen(domainOf(R"({"outer": [[-10, -10], [10, -10], [10, 10], [-10, 10]], "min_edge_length": 0.5,
+                      "segments": [[[0, 0], [3, 0]], [[0, 0], [3, 0.5]], [[0, 0], [3, 1]], [[0, 0], [3, 1.5]]]})"),
          {}, heard, check);
   for (int k = 0; k < kEventKindCount; ++k) EXPECT_GT(heard.kinds[static_cast<std::size_t>(k)], 0u) << name(kindAt(k));
   for (int k = 0; k < kRuleCount; ++k) EXPECT_GT(heard.rules[static_cast<std::size_t>(k)], 0u) << name(ruleAt(k));

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "session_driver.h"
+#include "support/session_driver.h"
 
 namespace triscope {
 namespace {
@@ -21,7 +21,7 @@ class Room {
     std::ifstream("/proc/self/statm") >> pages;
     rlimit limit = before_;
     limit.rlim_cur = pages * static_cast<std::size_t>(sysconf(_SC_PAGESIZE)) + bytes;
-#ifndef __SANITIZE_ADDRESS__  // which has memory of its own, without end
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which have memory of their own, without end
     set_ = pages > 0 && setrlimit(RLIMIT_AS, &limit) == 0;
 #endif
   }
