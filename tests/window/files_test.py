@@ -1,5 +1,6 @@
 """Opening by name, by dialog and by drop; what happens with a file that is wrong; exporting."""
 
+import json
 import os
 import signal
 import unittest
