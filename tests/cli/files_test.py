@@ -193,8 +193,23 @@ class Signals(program.ProgramTest):
         self.before = self.files()
 
     def begin(self, *arguments, **options):
-        return subprocess.Popen([program.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, text=True, **options)
+        """The program, once it has begun: under the sanitizers it takes a while to be loaded."""
+        process = subprocess.Popen([program.PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True, **options)
+        until = time.monotonic() + 20.0
+        while not self.listens(process) and process.poll() is None and time.monotonic() < until:
+            time.sleep(0.002)
+        return process
+
+    @staticmethod
+    def listens(process):
+        """Whether it catches TERM."""
+        try:
+            status = pathlib.Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+        except OSError:
+            return False
+        caught = next((line for line in status.splitlines() if line.startswith("SigCgt:")), "SigCgt: 0")
+        return int(caught.split()[1], 16) >> (signal.SIGTERM - 1) & 1 == 1
 
     def end(self, process, number=signal.SIGINT, words="nothing was written"):
         self.assertIsNone(process.poll(), "the run ended before the signal was sent")
