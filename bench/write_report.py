@@ -25,7 +25,7 @@ STYLES = [("#0072B2", "circle"), ("#E69F00", "square"), ("#009E73", "diamond"), 
 
 def load(folder, name):
     """What one file holds, or of the rounds of a benchmark the fastest entry of each name."""
-    files = [folder / f"{name}.json"] if (folder / f"{name}.json").exists() else sorted(folder.glob(f"{name}.*.json"))
+    files = sorted(folder.glob(f"{name}.*.json")) or [folder / f"{name}.json"]
     data, *others = (json.loads(file.read_text(encoding="utf-8")) for file in files)
     for other in others:
         data["benchmarks"] = [min(pair, key=lambda entry: entry.get("seconds", entry["cpu_time"]))
