@@ -19,25 +19,26 @@ Names namesOf(Ref::Kind kind) {
   return Names::nothing;
 }
 
+/// Whether events of a kind make elements of that kind.
+bool makes(EventKind event, Ref::Kind kind) {
+  const KindWords& words = wordsOf(event);
+  return kind == Ref::Kind::vertex ? (words.does & kInserts) != 0 : words.created == namesOf(kind);
+}
+
 bool makesElementsOf(const Event& e, Ref::Kind kind) {
   if (kind == Ref::Kind::event) return true;
-  if (kind == Ref::Kind::vertex) return does(e, kInserts) && e.vertex != kNoId;
-  return wordsOf(e.kind).created == namesOf(kind) && e.created != kNoId;
+  return makes(e.kind, kind) && (kind == Ref::Kind::vertex ? e.vertex : e.created) != kNoId;
 }
 
 /// False when none of those events makes elements of the kind.
 bool mayMakeElementsOf(const Mentioned& events, Ref::Kind kind) {
-  switch (kind) {
-    case Ref::Kind::vertex:
-      return events.has(EventKind::vertex_inserted) || events.has(EventKind::edge_split);
-    case Ref::Kind::cell:
-      return events.has(EventKind::cell_split);
-    case Ref::Kind::triangle:
-      return events.created.low <= events.created.high;
-    case Ref::Kind::event:
-      return true;
+  if (kind == Ref::Kind::event) return true;
+  if (kind == Ref::Kind::triangle) return events.created.low <= events.created.high;
+  for (int k = 0; k < kEventKindCount; ++k) {
+    const auto event = static_cast<EventKind>(k);
+    if (makes(event, kind) && events.has(event)) return true;
   }
-  return true;
+  return false;
 }
 
 /// Ids that an event made: first, and how many.
