@@ -43,16 +43,15 @@ struct KindWords {
   int does = 0;                    // bits of Does
   bool placed = false;             // Event::at is where the decision was made
   Picture picture = Picture::none;
-  std::string_view caption = {};  // a template: caption.h
+  std::string_view caption = {};  // a template: fields.h
 };
 
 /// Where a rule stands in the method.
 enum class Family : std::uint8_t { none, source, neighbour, boundary, front, step, repair, move };
 
 struct RuleWords {
-  std::string_view name = {};  // "step 3"
-  std::string_view description =
-      {};  // "circumradius R not below the shortest edge e": what was found true of the figures
+  std::string_view name = {};         // "step 3"
+  std::string_view description = {};  // "circumradius R not below the shortest edge e": what was found true
   Family family = Family::none;
   Names other = Names::nothing;    // Event::other
   std::string_view reason = {};    // the description with an event's own figures, a template

@@ -1,7 +1,6 @@
 #include "core/mesh/cavity.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "core/assert.h"
 #include "core/geometry/predicates.h"
@@ -125,7 +124,7 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
       if (inside == 0) inside = detail::incircleExact(points[t.v[0]], points[t.v[1]], points[t.v[2]], p);
       if (inside > 0 && (!kMarks || (flags[slot] & kInCavity) == 0)) {
         if (count == capacity) {
-          assert(count <= mesh.triangles.size());
+          TRISCOPE_CHECK(count <= mesh.triangles.size(), "a cavity has no more triangles than the mesh");
           cavity.triangleCount = count;
           makeRoom(cavity, 2 * capacity);
           capacity = cavity.capacity;

@@ -12,6 +12,7 @@ namespace {
 
 enum Phase : std::uint32_t { advance_front, balance, classify, over };
 constexpr std::size_t kRanks = 256;
+
 // The front is kept in buckets by density rank: worklist[rank] heads a list of entries in `next`, each a cell and the
 // index of the entry after it. A cell may wait in two buckets; the one that no longer fits its rank is stale.
 void push(MeshState& state, std::int32_t leaf) {
