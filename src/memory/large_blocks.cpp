@@ -7,7 +7,11 @@
 #include <new>
 
 #ifdef __linux__
+#include <malloc.h>
 #include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdint>
 #endif
 
 namespace {
@@ -23,6 +27,22 @@ void* largeBlock(std::size_t size) {
 #endif
   return block;
 }
+
+#ifdef __GLIBC__
+/// What is shorter lies in the heap. It is asked for in one piece, of which only what is touched becomes memory, and
+/// what is freed stays in it: to give pages back and to be given them anew costs more than to make the mesh in them.
+const bool heapIsLarge = [] {
+  constexpr int kHeap = 64 << 20;
+  mallopt(M_MMAP_THRESHOLD, static_cast<int>(kLargeBlock));
+  mallopt(M_TRIM_THRESHOLD, kHeap);
+  mallopt(M_TOP_PAD, kHeap);
+  void* const first = std::malloc(kLargePage / 2);  // the heap grows to hold it
+  std::free(first);
+  const auto begin = (reinterpret_cast<std::uintptr_t>(first) + kLargePage - 1) & ~(kLargePage - 1);
+  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) & ~(kLargePage - 1);
+  return begin < end && madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE) == 0;
+}();
+#endif
 
 }  // namespace
 
