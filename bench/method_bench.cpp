@@ -2,9 +2,8 @@
 #include <sys/resource.h>
 
 #include "core/domain/read.h"
-#include "core/history/event_log.h"
-#include "core/history/history.h"
-#include "core/run_record.h"
+#include "core/run/driver.h"
+#include "core/run/event_log.h"
 #include "ring.h"
 #include "timed_run.h"
 
@@ -53,7 +52,7 @@ void threeElementAirfoil(benchmark::State& bench) {
     Result<Domain> read = readDomain(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
     if (!read.ok()) throw std::runtime_error(describe(read.error()));
     const double reading = processorSeconds() - start;
-    Run run = runThrough(std::make_shared<const Domain>(std::move(*read)), Stage::repair, nobody);
+    TimedRun run = runThrough(std::make_shared<const Domain>(std::move(*read)), Stage::repair, nobody);
     run.total += reading;
     return run;
   });
@@ -63,15 +62,16 @@ BENCHMARK(threeElementAirfoil)->UseManualTime()->MinTime(1.0)->Unit(benchmark::k
 /// What the window adds to a run, all stages: argument 0 nothing, 1 every event, 2 the recorder and keyframes as well,
 /// one decision at a time.
 void airfoilHistory(benchmark::State& bench) {
+  constexpr std::uint64_t kBeatsPerSlice = 4096;
   const auto domain = domainAt(TRISCOPE_SOURCE_DIR "/assets/domains/three_element_airfoil.json");
   std::vector<Event> all;
   EventLog log;
-  std::vector<Event> beat;
+  std::vector<Event> fresh;
   std::size_t events = 0, eventBytes = 0, keyframes = 0, keyframeBytes = 0, inserted = 0;
   fastest(bench, [&] {
     all = {};
     log = {};
-    Run run;
+    TimedRun run;
     const double start = processorSeconds();
     MeshState state = beginOrThrow(domain, Settings{});
     if (bench.range(0) < 2) {
@@ -81,23 +81,19 @@ void airfoilHistory(benchmark::State& bench) {
       events = all.size();
       eventBytes = all.size() * sizeof(Event);
     } else {
-      Journal journal{&beat};
-      RunRecorder recorder;
-      History history;
-      history.restart(state);
-      while (state.stage != Stage::finished) {
-        beat.clear();
-        const std::uint64_t tick = state.tick;
-        const std::size_t points = state.mesh.points.size();
-        advanceUntil(state, state.stage, 1, journal);
-        log.append(beat);
-        recorder.follow(state, {tick, points, beat, log.size()});
-        if (state.tick != tick) history.offer(state, log.size());
+      Driver driver;
+      driver.run = runFrom(std::move(state));
+      headFor(driver, {.kind = Goal::Kind::end});
+      while (!isThere(driver)) {
+        fresh.clear();
+        carryOn(driver, kBeatsPerSlice, {}, fresh);
+        log.append(fresh);
       }
       events = log.size();
-      eventBytes = log.bytes() + recorder.bytes();
-      keyframes = history.count();
-      keyframeBytes = history.bytes();
+      eventBytes = log.bytes() + driver.run.recorder.bytes();
+      keyframes = driver.run.history.count();
+      keyframeBytes = driver.run.history.bytes();
+      state = std::move(driver.run.state);
     }
     run.total = processorSeconds() - start;
     run.triangles = state.mesh.liveCount();
@@ -123,7 +119,7 @@ void ringMemory(benchmark::State& bench) {
   const auto domain = ring(minEdgeFor(static_cast<double>(bench.range(0))));
   Journal nobody;
   const std::int64_t before = peakBytes();
-  const Run run = fastest(bench, [&] { return runThrough(domain, Stage::repair, nobody); });
+  const TimedRun run = fastest(bench, [&] { return runThrough(domain, Stage::repair, nobody); });
   bench.counters["bytes_per_triangle"] = static_cast<double>(peakBytes() - before) / static_cast<double>(run.triangles);
 }
 BENCHMARK(ringMemory)->Arg(500000)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);

@@ -49,8 +49,8 @@ MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settin
   return std::move(*state);
 }
 
-Run runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal& journal) {
-  Run run;
+TimedRun runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal& journal) {
+  TimedRun run;
   const double start = processorSeconds();
   MeshState state = beginOrThrow(domain, Settings{});
   double before = processorSeconds();
@@ -74,7 +74,7 @@ Run runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal&
   return run;
 }
 
-void countStages(benchmark::State& bench, const Run& run) {
+void countStages(benchmark::State& bench, const TimedRun& run) {
   for (const StageInfo& info : stages()) {
     if (info.id == Stage::finished) continue;
     const auto stage = static_cast<std::size_t>(info.id);

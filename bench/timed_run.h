@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope::bench {
 
@@ -19,7 +19,7 @@ double processorSeconds();
 /// Misses of the last-level cache by this process so far; none where the machine or its settings do not count them.
 std::optional<double> cacheMisses();
 
-struct Run {
+struct TimedRun {
   std::array<double, kStageCount> seconds{};  // per stage, all rounds together
   std::array<double, kStageCount> misses{};   // of the last-level cache
   bool missesCounted = false;
@@ -32,17 +32,17 @@ std::shared_ptr<const Domain> domainAt(const std::string& file);
 MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settings& settings);
 
 /// The method until `last` is over for good, each stage timed.
-Run runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal& journal);
+TimedRun runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal& journal);
 
 /// Counters: the seconds of each stage by its key, and its misses by "key_misses" where they are counted.
-void countStages(benchmark::State& bench, const Run& run);
+void countStages(benchmark::State& bench, const TimedRun& run);
 
 /// Repeats a run and reports the fastest, as the one least disturbed by other work: its seconds, and its size.
 template <class MakeRun>
-Run fastest(benchmark::State& bench, MakeRun makeRun) {
-  Run best;
+TimedRun fastest(benchmark::State& bench, MakeRun makeRun) {
+  TimedRun best;
   for (auto _ : bench) {
-    const Run run = makeRun();
+    const TimedRun run = makeRun();
     bench.SetIterationTime(run.total);
     if (best.triangles == 0 || run.total < best.total) best = run;
   }

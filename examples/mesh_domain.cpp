@@ -11,7 +11,7 @@
 #include "core/domain/read.h"
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 #include "core/quality/quality.h"
 
 namespace {
@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
   Result<Domain> domain = readDomain(argv[1]);
   if (!domain) return fail(domain.error());
 
-  Settings settings;  // the paper's; core/settings.h says what can be set
+  Settings settings;  // the paper's; core/words/settings.h says what can be set
   settings.omega = 0.1;
 
   // The state is a value: a copy of it, at any moment, can be carried on by itself.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/domain/read.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 #include "render/figure.h"
 
 namespace {

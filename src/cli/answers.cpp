@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/caption.h"
-#include "core/counted.h"
-#include "core/debug/element.h"
-#include "core/debug/life.h"
-#include "core/debug/why.h"
+#include "core/base/counted.h"
+#include "core/base/json_text.h"
+#include "core/explain/caption.h"
+#include "core/explain/element.h"
+#include "core/explain/life.h"
+#include "core/explain/why.h"
 #include "core/io/events_file.h"
-#include "core/io/json_text.h"
 #include "core/io/report.h"
 
 namespace triscope {
@@ -20,10 +20,11 @@ namespace {
 /// Lines are worded as the window has them, apart from their digits: scripts read these.
 std::string plainText(const Line& line) { return ungrouped(textOf(line)); }
 
-TriangleFacts factsAt(const Recording& recording, Ref ref) {
+TriangleFacts factsAt(const Stop& stop, Ref ref) {
   if (ref.kind != Ref::Kind::triangle) return {};
-  if (const auto alive = factsOf(recording.state().mesh, ref.id)) return *alive;
-  return factsOf(recording.history(), recording.state().tick, recording.events(), ref.id);
+  const Run& run = stop.run;
+  if (const auto alive = factsOf(run.state.mesh, ref.id)) return *alive;
+  return factsOf(run.history, run.state.tick, stop.events, ref.id);
 }
 
 std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
@@ -40,11 +41,11 @@ std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
   return lines;
 }
 
-std::vector<Line> stateLines(const Recording& recording, const Quality& quality) {
-  const MeshState& state = recording.state();
+std::vector<Line> stateLines(const Stop& stop, const Quality& quality) {
+  const MeshState& state = stop.run.state;
   std::vector<Line> lines{linked(summaryOf(state, quality))};
   lines.push_back(linked(fmt::format("{} made, {} recorded.", counted(state.tick, "decision", "decisions"),
-                                     counted(recording.events().size(), "event", "events"))));
+                                     counted(stop.events.size(), "event", "events"))));
   if (state.round > 0 && state.stage != Stage::finished)
     lines.push_back(linked(fmt::format("{} {}.", state.stage == Stage::refine ? "Pass" : "Round", state.round)));
   lines.push_back(linked(fmt::format("{}, {}, {} obtuse, {}.", counted(quality.triangles, "triangle", "triangles"),
@@ -53,8 +54,8 @@ std::vector<Line> stateLines(const Recording& recording, const Quality& quality)
   return lines;
 }
 
-std::vector<Line> eventLines(const Recording& recording, const Print& print) {
-  const Events events = recording.events();
+std::vector<Line> eventLines(const Stop& stop, const Print& print) {
+  const Events& events = stop.events;
   std::vector<Line> lines;
   for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
     lines.push_back(lineOf(events, static_cast<std::size_t>(k)));
@@ -65,24 +66,23 @@ std::vector<Line> eventLines(const Recording& recording, const Print& print) {
 }
 
 std::vector<Line> linesOf(const Stop& stop, const Print& print, const Quality& quality) {
-  const Recording& recording = stop.recording;
-  const Events events = recording.events();
+  const Events& events = stop.events;
   switch (print.what) {
     case Print::What::state:
-      return stateLines(recording, quality);
+      return stateLines(stop, quality);
     case Print::What::quality:
     case Print::What::worst:
-      return worstLines(recording.state().mesh, quality);
+      return worstLines(stop.run.state.mesh, quality);
     case Print::What::events:
-      return eventLines(recording, print);
+      return eventLines(stop, print);
     case Print::What::why:
-      return why(events, print.ref, factsAt(recording, print.ref));
+      return why(events, print.ref, factsAt(stop, print.ref));
     case Print::What::whynot:
-      return whyNot(events, print.ref.id, factsAt(recording, print.ref));
+      return whyNot(events, print.ref.id, factsAt(stop, print.ref));
     case Print::What::history:
-      return historyOf(events, print.ref, factsAt(recording, print.ref));
+      return historyOf(events, print.ref, factsAt(stop, print.ref));
     case Print::What::figures:
-      return figuresOf(recording.state(), events, print.ref);
+      return figuresOf(stop.run.state, events, print.ref);
   }
   return {};
 }
@@ -109,11 +109,11 @@ std::string worstAsJson(const Mesh& mesh, const Quality& quality) {
 
 /// What the lines say, as numbers: only where there are any that no line names by id.
 std::string dataOf(const Stop& stop, const Print& print, const Quality& quality) {
-  const Mesh& mesh = stop.recording.state().mesh;
+  const Mesh& mesh = stop.run.state.mesh;
   if (print.what == Print::What::quality) return ",\n     \"quality\": " + reportOf(mesh, quality);
   if (print.what == Print::What::worst) return ",\n     \"worst\": " + worstAsJson(mesh, quality);
   if (print.what != Print::What::events) return {};
-  const Events events = stop.recording.events();
+  const Events& events = stop.events;
   std::string list;
   for (std::uint64_t k = print.from; k <= print.to && k < events.size(); ++k)
     list += fmt::format("{}\n      {}", list.empty() ? "" : ",", eventLine(events[static_cast<std::size_t>(k)], k));
@@ -123,13 +123,12 @@ std::string dataOf(const Stop& stop, const Print& print, const Quality& quality)
 }  // namespace
 
 std::string answersAsText(const Stop& stop, const std::vector<Print>& prints) {
-  const MeshState& state = stop.recording.state();
+  const MeshState& state = stop.run.state;
   const Quality quality = measure(state.mesh);
-  std::string text = fmt::format("tick {}, events {}, stage {}\n", state.tick, stop.recording.events().size(),
-                                 infoOf(state.stage).key);
+  std::string text =
+      fmt::format("tick {}, events {}, stage {}\n", state.tick, stop.events.size(), infoOf(state.stage).key);
   if (stop.event)
-    text +=
-        fmt::format("stopped by {}\n  {}\n", stop.condition, plainText(lineOf(stop.recording.events(), *stop.event)));
+    text += fmt::format("stopped by {}\n  {}\n", stop.condition, plainText(lineOf(stop.events, *stop.event)));
   for (const Print& print : prints) {
     text += fmt::format("\n{}\n", print.text);
     for (const Line& line : linesOf(stop, print, quality)) text += fmt::format("  {}\n", plainText(line));
@@ -138,14 +137,14 @@ std::string answersAsText(const Stop& stop, const std::vector<Print>& prints) {
 }
 
 std::string answersAsJson(const Stop& stop, const std::vector<Print>& prints) {
-  const MeshState& state = stop.recording.state();
+  const MeshState& state = stop.run.state;
   const Quality quality = measure(state.mesh);
-  std::string text = fmt::format(
-      "{{\n  \"tick\": {}, \"events\": {}, \"stage\": {}, \"round\": {}, \"hash\": \"{:016x}\",\n", state.tick,
-      stop.recording.events().size(), jsonText(infoOf(state.stage).key), state.round, hashOf(state));
+  std::string text =
+      fmt::format("{{\n  \"tick\": {}, \"events\": {}, \"stage\": {}, \"round\": {}, \"hash\": \"{:016x}\",\n",
+                  state.tick, stop.events.size(), jsonText(infoOf(state.stage).key), state.round, hashOf(state));
   text += "  \"hit\": ";
   text += stop.event ? fmt::format("{{\"condition\": {}, \"event\": {}}}", jsonText(stop.condition),
-                                   eventLine(stop.recording.events()[*stop.event], *stop.event))
+                                   eventLine(stop.events[*stop.event], *stop.event))
                      : "null";
   text += ",\n  \"answers\": [";
   for (std::size_t k = 0; k < prints.size(); ++k) {

@@ -6,13 +6,15 @@
 #include <vector>
 
 #include "cli/debug_request.h"
-#include "core/debug/recording.h"
+#include "core/run/events.h"
+#include "core/run/run.h"
 
 namespace triscope {
 
 /// Where the run stands, and why it stopped there.
 struct Stop {
-  const Recording& recording;
+  const Run& run;
+  Events events;                     // up to where it stands
   std::string condition;             // that was met; empty when none was
   std::optional<std::size_t> event;  // that met it
 };

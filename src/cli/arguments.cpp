@@ -10,7 +10,7 @@
 
 #include "cli/exit_codes.h"
 #include "cli/stage_names.h"
-#include "core/version.h"
+#include "core/base/version.h"
 
 namespace triscope {
 namespace {

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "cli/options.h"
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace triscope {
 

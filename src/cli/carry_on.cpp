@@ -9,9 +9,9 @@
 #include "cli/progress_line.h"
 #include "core/density/request_text.h"
 #include "core/domain/read.h"
-#include "core/pipeline.h"
-#include "core/triangle_limit.h"
-#include "core/vocabulary.h"
+#include "core/method/pipeline.h"
+#include "core/method/triangle_limit.h"
+#include "core/words/vocabulary.h"
 
 namespace triscope {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "core/base/result.h"
 #include "core/io/events_file.h"
 #include "core/io/report.h"
-#include "core/result.h"
-#include "core/state.h"
+#include "core/method/state.h"
 
 namespace triscope {
 

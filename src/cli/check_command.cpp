@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
-#include "core/debug/bound_text.h"
 #include "core/domain/read.h"
+#include "core/explain/bound_text.h"
 #include "core/io/against_domain.h"
 #include "core/io/mesh_from.h"
 #include "core/io/read_mesh.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "core/io/file_identity.h"
+#include "core/base/file_identity.h"
 
 namespace triscope {
 

@@ -8,9 +8,10 @@
 #include "cli/carry_on.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
-#include "core/debug/recording.h"
-#include "core/io/output_set.h"
-#include "core/session_file.h"
+#include "core/base/output_set.h"
+#include "core/run/driver.h"
+#include "core/run/travel.h"
+#include "core/session/session_file.h"
 
 namespace triscope {
 namespace {
@@ -32,39 +33,77 @@ Goto placeOf(const DebugCommand& options) {
   return {.kind = onwards && !options.back ? Goto::Kind::start : Goto::Kind::end};
 }
 
-bool go(Recording& recording, const Goto& place) {
+/// A run, every event of it as far as it has been carried, and where that is told.
+struct Debuggee {
+  Driver driver;
+  EventLog log;
+  ProgressLine progress;
+};
+
+Events eventsOf(const Debuggee& at) { return Events(at.log).first(static_cast<std::size_t>(at.driver.run.events)); }
+
+/// False when the run ends before the goal.
+bool go(Debuggee& at, const Goal& goal) {
+  constexpr std::uint64_t kBeatsPerLook = 1024;  // a few milliseconds
+  headFor(at.driver, goal);
+  std::vector<Event> fresh;
+  while (!isThere(at.driver)) {
+    carryOn(at.driver, kBeatsPerLook, {}, fresh);
+    at.log.append(fresh);
+    fresh.clear();
+    at.progress.show(at.driver.run.state);
+  }
+  return at.driver.stopped || arrived(at.driver.run, goal);
+}
+
+Goal goalOf(Run& run, const Goto& place) {
   switch (place.kind) {
     case Goto::Kind::start:
-      return true;
+      return {};
     case Goto::Kind::end:
-      return recording.toEnd();
+      return {.kind = Goal::Kind::end};
     case Goto::Kind::tick:
-      return recording.toTick(place.number);
+      return towardsTick(run, place.number);
     case Goto::Kind::event:
-      return recording.toEvent(static_cast<std::size_t>(place.number));
+      return towardsEvent(run, place.number);
     case Goto::Kind::stage:
-      return recording.toStage(place.stage);
+      return towardsStage(run, place.stage);
   }
-  return false;
+  return {};
 }
 
-Error notReached(const Recording& recording) {
-  return Error{
-      .code = ExitCode::unmet,
-      .message = "the run ends before the place that --goto names",
-      .hint = fmt::format("it has {} decisions and {} events", recording.state().tick, recording.events().size())};
+/// On, or back, to a decision that meets a breakpoint; where the run is when going back meets none.
+std::optional<Hit> goToHit(Debuggee& at, bool backwards) {
+  Driver& driver = at.driver;
+  if (!backwards) {
+    go(at, {.kind = Goal::Kind::breakpoint});
+    return driver.stopped;
+  }
+  const auto pulse = [&at, looked = 0](const MeshState& state) mutable {
+    if (++looked % 64 == 0) at.progress.show(state);
+    return true;
+  };
+  const std::optional<Hit> hit = continueBackward(driver.run.history, driver.run.state.tick, driver.breakpoints, pulse);
+  if (hit) go(at, towardsTick(driver.run, hit->tick));
+  return hit;
 }
 
-Status saveSession(const DebugCommand& options, const Recording& recording, std::vector<Breakpoint> breakpoints,
-                   OutputSet& files) {
-  Result<MeshState> start = begin(recording.state().domain, options.settings);
+Error notReached(const Run& run) {
+  return Error{.code = ExitCode::unmet,
+               .message = "the run ends before the place that --goto names",
+               .hint = fmt::format("it has {} decisions and {} events", run.state.tick, run.events)};
+}
+
+Status saveSession(const DebugCommand& options, const Driver& driver, OutputSet& files) {
+  const MeshState& state = driver.run.state;
+  Result<MeshState> start = begin(state.domain, options.settings);
   if (!start.ok()) return start.error();
   SessionFile session;
   session.domainFile = options.domain;
-  session.domainText = recording.state().domain->text;
+  session.domainText = state.domain->text;
   session.settings = options.settings;
-  session.tick = recording.state().tick;
-  session.breakpoints = std::move(breakpoints);
+  session.tick = state.tick;
+  session.breakpoints = driver.breakpoints;
   session.hashes = stageHashes(std::move(*start), session.tick, ~std::size_t{0}, nullptr);
   if (Status written = files.write(options.saveSession, sessionText(session)); !written.ok()) return written;
   return files.commit();
@@ -88,35 +127,27 @@ ExitCode runCommand(const DebugCommand& options) {
     if (const Result<AtomicFile*> file = files.open(options.saveSession); !file.ok()) return fail(file.error());
   }
 
-  Recording recording(std::move(*start));
-  ProgressLine progress(!options.quiet);
-  recording.onPulse([&](const MeshState& state) {
-    progress.show(state);
-    return true;
-  });
-  const bool reached = go(recording, placeOf(options));
-  if (!reached) return fail(notReached(recording));
-
-  std::optional<Hit> hit;
-  if (!breakpoints->empty()) {
-    std::vector<Hit> passed;
-    hit = options.back ? recording.toPreviousHit(*breakpoints) : recording.toNextHit(*breakpoints, passed);
-  }
-  progress.clear();
+  Debuggee at{.driver = Driver(), .log = {}, .progress = ProgressLine(!options.quiet)};
+  Driver& driver = at.driver;
+  driver.run = runFrom(std::move(*start));
+  driver.breakpoints = std::move(*breakpoints);
+  if (!go(at, goalOf(driver.run, placeOf(options)))) return fail(notReached(driver.run));
+  const bool onwards = !driver.breakpoints.empty();
+  const std::optional<Hit> hit = onwards ? goToHit(at, options.back) : std::nullopt;
+  at.progress.clear();
   if (!options.saveSession.empty()) {
-    if (const Status saved = saveSession(options, recording, *breakpoints, files); !saved.ok())
-      return fail(saved.error());
+    if (const Status saved = saveSession(options, driver, files); !saved.ok()) return fail(saved.error());
   }
 
-  const Stop stop{recording, hit ? breakpoints->at(hit->breakpoint).condition.text() : "",
-                  hit ? std::optional<std::size_t>(recording.eventOf(*hit)) : std::nullopt};
+  const Stop stop{driver.run, eventsOf(at), hit ? driver.breakpoints.at(hit->breakpoint).condition.text() : "",
+                  hit ? std::optional(static_cast<std::size_t>(hit->number)) : std::nullopt};
   const std::string answers = options.json ? answersAsJson(stop, options.prints) : answersAsText(stop, options.prints);
   std::fwrite(answers.data(), 1, answers.size(), stdout);
 
   if (options.firstViolation && !hit && !options.quiet)
     fmt::print(stderr, "note: no rule of validity and no bound of the paper is broken up to the end of the run\n");
   if (options.firstViolation) return hit ? ExitCode::unmet : ExitCode::ok;
-  if (!breakpoints->empty() && !hit) {
+  if (onwards && !hit) {
     fmt::print(stderr, "triscope: no breakpoint was met {}\n",
                options.back ? "before that" : "up to the end of the run");
     return ExitCode::unmet;

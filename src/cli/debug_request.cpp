@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope {
 namespace {

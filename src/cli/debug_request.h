@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/links.h"
-#include "core/result.h"
-#include "core/stage.h"
+#include "core/base/result.h"
+#include "core/words/links.h"
+#include "core/words/stage.h"
 
 namespace triscope {
 

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace triscope {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/arguments.h"
 #include "cli/command_files.h"
 #include "cli/commands.h"
-#include "core/io/stop.h"
+#include "core/base/stop.h"
 
 namespace triscope {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "cli/debug_request.h"
-#include "core/settings.h"
-#include "core/stage.h"
+#include "core/words/settings.h"
+#include "core/words/stage.h"
 #include "render/view_options.h"
 #include "ui/window.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 #include "render/figure.h"
 
 namespace triscope {

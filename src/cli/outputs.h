@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "core/io/output_set.h"
-#include "core/result.h"
-#include "core/stage.h"
-#include "core/state.h"
+#include "core/base/output_set.h"
+#include "core/base/result.h"
+#include "core/method/state.h"
+#include "core/words/stage.h"
 
 namespace triscope {
 

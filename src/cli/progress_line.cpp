@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 
-#include "core/estimate.h"
-#include "core/io/stop.h"
-#include "core/pipeline.h"
+#include "core/base/stop.h"
+#include "core/method/estimate.h"
+#include "core/method/pipeline.h"
 
 namespace triscope {
 namespace {

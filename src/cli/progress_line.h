@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "core/state.h"
+#include "core/method/state.h"
 
 namespace triscope {
 

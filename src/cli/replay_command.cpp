@@ -6,8 +6,8 @@
 #include "cli/commands.h"
 #include "cli/progress_line.h"
 #include "core/domain/read.h"
-#include "core/pipeline.h"
-#include "core/session_file.h"
+#include "core/method/pipeline.h"
+#include "core/session/session_file.h"
 
 namespace triscope {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
-#include "core/stage.h"
+#include "core/base/result.h"
+#include "core/words/stage.h"
 
 namespace triscope {
 

@@ -6,8 +6,8 @@
 #include "cli/carry_on.h"
 #include "cli/commands.h"
 #include "cli/progress_line.h"
-#include "core/debug/parameter_sweep.h"
-#include "core/io/output_set.h"
+#include "core/base/output_set.h"
+#include "core/study/parameter_sweep.h"
 
 namespace triscope {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/state.h"
+#include "core/method/state.h"
 
 namespace triscope {
 

@@ -1,7 +1,7 @@
 // The window onto the plane: world coordinates (y up) to pixels (origin top left, y down) and back.
 #pragma once
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 #include "render/image.h"
 
 namespace triscope {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "core/io/output_set.h"
-#include "core/number.h"
-#include "core/pipeline.h"
+#include "core/base/number.h"
+#include "core/base/output_set.h"
+#include "core/method/pipeline.h"
 #include "render/boundary_points.h"
 #include "render/raster.h"
 #include "render/svg.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/result.h"
-#include "core/state.h"
+#include "core/base/result.h"
+#include "core/method/state.h"
 #include "render/view_options.h"
 
 namespace triscope {

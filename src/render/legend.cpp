@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/quality/bound_figure.h"
 #include "render/boundary_points.h"
 #include "render/scene_parts.h"

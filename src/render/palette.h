@@ -3,7 +3,7 @@
 
 #include "core/density/quadtree.h"
 #include "core/mesh/mesh.h"
-#include "core/stage.h"
+#include "core/words/stage.h"
 #include "render/color.h"
 
 namespace triscope {

@@ -1,8 +1,8 @@
 // What lies under the cursor: vertex before edge before triangle before quadtree cell.
 #pragma once
 
-#include "core/geometry/point.h"
-#include "core/state.h"
+#include "core/base/point.h"
+#include "core/method/state.h"
 #include "render/view_options.h"
 
 namespace triscope {

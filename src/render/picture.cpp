@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "render/legend_panel.h"
 
 namespace triscope {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/insertion.h"
-#include "core/event.h"
+#include "core/explain/insertion.h"
+#include "core/method/state.h"
 #include "core/quality/quality.h"
-#include "core/state.h"
+#include "core/words/event.h"
 #include "render/view_options.h"
 
 namespace triscope {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number.h"
 #include "core/geometry/circumcircle.h"
 #include "core/mesh/edit.h"
-#include "core/number.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"
 

@@ -1,6 +1,6 @@
 #include "render/scene_layers.h"
 
-#include "core/settings.h"
+#include "core/words/settings.h"
 
 namespace triscope::detail {
 namespace {

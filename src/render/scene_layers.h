@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "core/digest.h"
+#include "core/base/digest.h"
 #include "render/scene_parts.h"
 
 namespace triscope::detail {

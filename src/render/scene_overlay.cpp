@@ -6,7 +6,7 @@
 #include "core/density/wanted.h"
 #include "core/geometry/circumcircle.h"
 #include "core/quality/bound_figure.h"
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 #include "render/pick.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"

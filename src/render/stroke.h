@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 #include "render/canvas.h"
 
 namespace triscope {

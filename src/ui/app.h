@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/io/file_identity.h"
+#include "core/base/file_identity.h"
 #include "render/gl_renderer.h"
 #include "ui/background_job.h"
 #include "ui/dialogs.h"

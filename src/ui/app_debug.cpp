@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/counted.h"
-#include "core/vocabulary.h"
+#include "core/base/counted.h"
+#include "core/words/vocabulary.h"
 #include "ui/app.h"
 
 namespace triscope {

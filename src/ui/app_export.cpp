@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/base/file_identity.h"
+#include "core/base/output_set.h"
 #include "core/io/export.h"
-#include "core/io/file_identity.h"
-#include "core/io/output_set.h"
 #include "core/io/write_mesh.h"
 #include "render/figure.h"
 #include "ui/app.h"

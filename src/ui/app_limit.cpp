@@ -1,5 +1,5 @@
 // A run that stopped because of Settings::maxTriangles: the window asks once what is to be done.
-#include "core/triangle_limit.h"
+#include "core/method/triangle_limit.h"
 #include "ui/app.h"
 
 namespace triscope {

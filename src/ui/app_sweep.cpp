@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "ui/app.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

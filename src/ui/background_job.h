@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/result.h"
+#include "core/base/result.h"
 
 namespace triscope {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "core/base/number.h"
 #include "core/density/quadtree.h"
-#include "core/number.h"
 #include "render/picture.h"
 #include "ui/density_handles.h"
 #include "ui/imgui_canvas.h"

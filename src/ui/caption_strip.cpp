@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/caption.h"
-#include "core/number.h"
-#include "core/pipeline.h"
+#include "core/base/number.h"
+#include "core/explain/caption.h"
+#include "core/method/pipeline.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/debug/life.h"
-#include "core/debug/why.h"
+#include "core/explain/life.h"
+#include "core/explain/why.h"
 
 namespace triscope {
 

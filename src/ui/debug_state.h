@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/breakpoint.h"
-#include "core/debug/links.h"
 #include "core/quality/running_quality.h"
-#include "core/session.h"
-#include "core/session_file.h"
+#include "core/run/breakpoint.h"
+#include "core/session/session.h"
+#include "core/session/session_file.h"
+#include "core/words/links.h"
 #include "render/pick.h"
 
 namespace triscope {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/number.h"
 #include "core/density/quadtree.h"
 #include "core/domain/outline.h"
-#include "core/number.h"
 #include "ui/style.h"
 
 namespace triscope {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/estimate.h"
-#include "core/number.h"
-#include "core/triangle_limit.h"
+#include "core/base/number.h"
+#include "core/method/estimate.h"
+#include "core/method/triangle_limit.h"
 #include "ui/dialogs.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

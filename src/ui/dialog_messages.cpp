@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/version.h"
+#include "core/base/version.h"
 #include "ui/dialogs.h"
 #include "ui/widgets.h"
 

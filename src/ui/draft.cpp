@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope {
 namespace {

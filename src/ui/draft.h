@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session_file.h"
+#include "core/session/session_file.h"
 
 namespace triscope {
 

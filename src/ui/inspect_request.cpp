@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/number.h"
 #include "core/density/sources.h"
 #include "core/density/wanted.h"
-#include "core/number.h"
 #include "ui/density_handles.h"
 #include "ui/widgets.h"
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "core/debug/links.h"
+#include "core/words/links.h"
 #include "ui/view.h"
 
 namespace triscope {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/number.h"
+#include "core/base/number.h"
 
 namespace triscope {
 

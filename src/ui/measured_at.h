@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/run_record.h"
+#include "core/run/run_record.h"
 #include "ui/view.h"
 
 namespace triscope {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/quality/quality.h"
 #include "ui/plot_frame.h"
 #include "ui/style.h"

@@ -6,8 +6,8 @@
 #include <variant>
 #include <vector>
 
-#include "core/debug/links.h"
-#include "core/session.h"
+#include "core/session/session.h"
+#include "core/words/links.h"
 #include "render/camera.h"
 #include "render/pick.h"
 #include "render/view_options.h"

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "core/debug/compare.h"
-#include "core/number.h"
-#include "core/pipeline.h"
+#include "core/base/number.h"
+#include "core/method/pipeline.h"
+#include "core/study/compare.h"
 #include "ui/panels.h"
 #include "ui/pinned_run.h"
 #include "ui/style.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

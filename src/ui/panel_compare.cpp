@@ -5,8 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "core/caption.h"
-#include "core/number.h"
+#include "core/base/number.h"
+#include "core/explain/caption.h"
 #include "ui/panels.h"
 #include "ui/pinned_run.h"
 #include "ui/style.h"

@@ -1,7 +1,7 @@
 // What happened to the selected element, and the way from one event about it to the next.
 #include <fmt/format.h>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "ui/linked_line.h"
 #include "ui/panels.h"
 #include "ui/subject.h"

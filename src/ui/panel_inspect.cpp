@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "core/caption.h"
-#include "core/debug/element_events.h"
+#include "core/base/number.h"
 #include "core/density/wanted.h"
-#include "core/number.h"
+#include "core/explain/caption.h"
 #include "core/quality/bound_figure.h"
+#include "core/run/element_events.h"
 #include "render/star.h"
 #include "ui/density_handles.h"
 #include "ui/panels.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/quality/bound_figure.h"
 #include "ui/panels.h"
 #include "ui/style.h"

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

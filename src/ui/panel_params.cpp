@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/debug/compare.h"
-#include "core/number.h"
+#include "core/base/number.h"
+#include "core/study/compare.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/quality/quality.h"
 #include "ui/measured_at.h"
 #include "ui/mesh_histogram.h"

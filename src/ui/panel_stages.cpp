@@ -4,8 +4,8 @@
 #include <array>
 #include <cctype>
 
-#include "core/number.h"
-#include "core/pipeline.h"
+#include "core/base/number.h"
+#include "core/method/pipeline.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/debug/compare.h"
-#include "core/number.h"
+#include "core/base/number.h"
+#include "core/study/compare.h"
 #include "render/heat_map.h"
 #include "render/legend_panel.h"
 #include "ui/imgui_canvas.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "core/quality/quality.h"
 #include "ui/measured_at.h"
 #include "ui/panels.h"

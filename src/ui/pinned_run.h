@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "core/debug/compare.h"
-#include "core/session.h"
+#include "core/session/session.h"
+#include "core/study/compare.h"
 #include "render/camera.h"
 #include "render/gl_renderer.h"
 #include "render/scene.h"

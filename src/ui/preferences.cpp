@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/io/output_set.h"
+#include "core/base/output_set.h"
 
 namespace triscope {
 namespace {

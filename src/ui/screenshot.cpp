@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "core/io/output_set.h"
+#include "core/base/output_set.h"
 #include "render/image.h"
 
 namespace triscope {

@@ -6,9 +6,9 @@
 #include <array>
 #include <utility>
 
-#include "core/io/json_text.h"
-#include "core/io/output_set.h"
-#include "core/pipeline.h"
+#include "core/base/json_text.h"
+#include "core/base/output_set.h"
+#include "core/method/pipeline.h"
 #include "ui/pinned_run.h"
 
 namespace triscope {

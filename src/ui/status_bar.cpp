@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/estimate.h"
-#include "core/number.h"
+#include "core/base/number.h"
+#include "core/method/estimate.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"

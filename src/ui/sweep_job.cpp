@@ -2,8 +2,8 @@
 
 #include <thread>
 
-#include "core/pipeline.h"
-#include "core/triangle_limit.h"
+#include "core/method/pipeline.h"
+#include "core/method/triangle_limit.h"
 
 namespace triscope {
 namespace {

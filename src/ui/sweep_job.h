@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/debug/parameter_sweep.h"
+#include "core/study/parameter_sweep.h"
 #include "ui/background_job.h"
 
 namespace triscope {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/debug/sweep_table.h"
+#include "core/study/sweep_table.h"
 
 namespace triscope {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
 

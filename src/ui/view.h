@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/debug/insertion.h"
-#include "core/session.h"
+#include "core/explain/insertion.h"
+#include "core/session/session.h"
 #include "render/camera.h"
 #include "render/pick.h"
 #include "render/scene.h"

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "ui/app.h"
 #include "ui/key_queue.h"
 #include "ui/screenshot.h"

@@ -8,7 +8,7 @@
 
 #include "core/domain/read.h"
 #include "core/io/events_file.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace {
 

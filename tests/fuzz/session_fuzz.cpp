@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/session_file.h"
+#include "core/session/session_file.h"
 
 namespace {
 

@@ -51,7 +51,7 @@ class Golden(unittest.TestCase):
                     continue
                 self.assertTrue(golden.exists(), f"{golden.name} is missing: run ./test --approve and look at it")
                 self.assertEqual(json.loads(golden.read_text(encoding="utf-8")), now,
-                                 "changed; if that is meant, raise kMethodVersion (core/version.h), ./test --approve, "
+                                 "changed; if that is meant, raise kMethodVersion (core/base/version.h), ./test --approve, "
                                  "and say why in the commit")
 
     def test_no_golden_without_a_sample(self):

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include "core/state.h"
+#include "core/method/state.h"
 
 namespace triscope::support {
 

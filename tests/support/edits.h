@@ -4,8 +4,8 @@
 #include <string>
 
 #include "core/mesh/edit.h"
-#include "core/stages/place.h"
-#include "core/state.h"
+#include "core/method/stages/place.h"
+#include "core/method/state.h"
 #include "support/random.h"
 
 namespace triscope::support {

@@ -1,7 +1,7 @@
 // What every finished mesh is held to: the bounds of section 3, its domain, and the rules of a triangulation.
 #pragma once
 
-#include "core/state.h"
+#include "core/method/state.h"
 
 namespace triscope::support {
 

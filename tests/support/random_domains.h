@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 #include "support/random.h"
 
 namespace triscope::support {

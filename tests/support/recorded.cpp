@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 #include "support/runs.h"
 
 namespace triscope::support {

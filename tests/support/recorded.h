@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/event.h"
-#include "core/history/history.h"
-#include "core/state.h"
+#include "core/method/state.h"
+#include "core/run/history.h"
+#include "core/words/event.h"
 #include "support/domains.h"
 
 namespace triscope::support {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 #include "support/domains.h"
 
 namespace triscope::support {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope::support {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/domain/read.h"
-#include "core/pipeline.h"
-#include "core/session.h"
+#include "core/method/pipeline.h"
+#include "core/session/session.h"
 
 namespace triscope {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope::support {
 

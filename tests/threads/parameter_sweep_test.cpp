@@ -1,5 +1,5 @@
 // The sweep over ω and θ, by several threads, against runs that were never stopped.
-#include "core/debug/parameter_sweep.h"
+#include "core/study/parameter_sweep.h"
 
 #include <gtest/gtest.h>
 

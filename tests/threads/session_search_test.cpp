@@ -1,7 +1,7 @@
 // A session obeys while the search for the smallest edge, or for constraints, goes on.
 #include <gtest/gtest.h>
 
-#include "core/session.h"
+#include "core/session/session.h"
 #include "support/domains.h"
 #include "support/wave.h"
 

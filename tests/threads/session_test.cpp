@@ -1,13 +1,13 @@
 // A session gives what the pipeline gives, however it is stepped, and never blocks on what it was asked.
-#include "core/session.h"
+#include "core/session/session.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/caption.h"
-#include "core/quality_trace.h"
+#include "core/explain/caption.h"
+#include "core/run/quality_trace.h"
 #include "support/session_driver.h"
 
 namespace triscope {

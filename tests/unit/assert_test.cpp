@@ -1,13 +1,14 @@
 // A broken invariant ends the program and says in words which, where; heavy checks only where they are asked for.
-#include "core/assert.h"
+#include "core/base/assert.h"
 
 #include <gtest/gtest.h>
 
-#include "core/history/event_log.h"
-#include "core/history/history.h"
 #include "core/mesh/cavity.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/flip.h"
+#include "core/run/breakpoint.h"
+#include "core/run/event_log.h"
+#include "core/run/history.h"
 #include "support/runs.h"
 
 namespace triscope {
@@ -50,9 +51,10 @@ TEST(AssertDeathTest, WhatIsRememberedOfARunHoldsItsOwn) {
   EXPECT_DEATH(log.truncate(1), "no more events are kept than there are");
   History history;
   EXPECT_DEATH((void)history.before(0), "a history is begun before it is read");
-  const MeshState start = support::start(support::domainFrom(support::kRound));
-  history.restart(start);
-  EXPECT_DEATH(history.append({{start, 0, 1}}), "keyframes are put back in the order of the run");
+  Watch watch(support::start(support::domainFrom(support::kRound)), 0, {});
+  MeshState state = support::start(support::domainFrom(support::kRound));
+  std::vector<Hit> hits;
+  EXPECT_DEATH(watch.step(state, violationBreakpoints(), hits), "the breakpoints that are watched for stay the same");
 }
 
 TEST(AssertDeathTest, WithHeavyChecksTheLibraryMindsItsIndices) {

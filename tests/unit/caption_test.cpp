@@ -1,11 +1,11 @@
 // Every event says what happened and why, with its own figures.
-#include "core/caption.h"
+#include "core/explain/caption.h"
 
 #include <gtest/gtest.h>
 
-#include "core/counted.h"
+#include "core/base/counted.h"
 #include "core/domain/read.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope {
 namespace {

@@ -1,5 +1,5 @@
 // Two runs side by side: where they part, what differs, and which place stands for which.
-#include "core/debug/compare.h"
+#include "core/study/compare.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/session.h"
+#include "core/session/session.h"
 #include "support/domains.h"
 
 namespace triscope {

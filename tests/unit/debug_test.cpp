@@ -6,9 +6,9 @@
 #include <memory>
 #include <string>
 
-#include "core/debug/breakpoint.h"
 #include "core/domain/read.h"
 #include "core/quality/quality.h"
+#include "core/run/breakpoint.h"
 
 namespace triscope {
 namespace {

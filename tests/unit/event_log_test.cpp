@@ -1,5 +1,5 @@
 // The packed log gives back every event as it was, wherever it is read, cut and continued.
-#include "core/history/event_log.h"
+#include "core/run/event_log.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <vector>
 
-#include "core/history/events.h"
+#include "core/run/events.h"
 #include "support/random.h"
 #include "support/runs.h"
 

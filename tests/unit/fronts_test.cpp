@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/edit.h"
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 #include "support/judge.h"
 #include "support/meshes.h"
 #include "support/runs.h"

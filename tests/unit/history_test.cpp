@@ -1,5 +1,5 @@
 // Time travel: every tick sought gives the state of the forward run, whatever the budget.
-#include "core/history/history.h"
+#include "core/run/history.h"
 
 #include <gtest/gtest.h>
 

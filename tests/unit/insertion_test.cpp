@@ -1,5 +1,5 @@
 // An insertion taken apart: the walk and the cavity are those of the run itself.
-#include "core/debug/insertion.h"
+#include "core/explain/insertion.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/geometry/predicates.h"
-#include "core/pipeline.h"
-#include "core/vocabulary.h"
+#include "core/method/pipeline.h"
+#include "core/words/vocabulary.h"
 #include "support/domains.h"
 #include "support/runs.h"
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/version.h"
 #include "core/domain/read.h"
 #include "core/io/against_domain.h"
 #include "core/io/events_file.h"
@@ -13,9 +14,8 @@
 #include "core/io/mesh_from.h"
 #include "core/io/report.h"
 #include "core/mesh/edit.h"
-#include "core/pipeline.h"
-#include "core/version.h"
-#include "core/vocabulary.h"
+#include "core/method/pipeline.h"
+#include "core/words/vocabulary.h"
 
 namespace triscope {
 namespace {

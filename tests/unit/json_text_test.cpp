@@ -1,5 +1,5 @@
 // What is written as JSON reads back as the same value, bit by bit.
-#include "core/io/json_text.h"
+#include "core/base/json_text.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "core/domain/json_value.h"
+#include "core/base/json_value.h"
 #include "support/random.h"
 
 namespace triscope {

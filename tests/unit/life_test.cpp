@@ -1,12 +1,12 @@
-// When triangles ended, and when events happened, held against a look at every decision.
-#include "core/debug/life.h"
+// When triangles ended, held against a look at every decision.
+#include "core/explain/life.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "core/debug/why.h"
+#include "core/explain/why.h"
 #include "support/domains.h"
 #include "support/recorded.h"
 #include "support/runs.h"
@@ -41,12 +41,6 @@ TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
     EXPECT_NE(facts.corners[0], kNoId) << id;
   }
   EXPECT_GT(checked, 50u);
-}
-
-TEST(Life, TickOfAnEventIsWhenItHasHappened) {
-  const support::Recorded& run = support::runOf("annulus");
-  for (std::size_t k = 0; k < run.events.size(); k += 17)
-    EXPECT_EQ(tickOf(run.history, run.end.tick, k), run.tickAt[k]) << "event " << k;
 }
 
 }  // namespace

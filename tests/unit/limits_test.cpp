@@ -1,5 +1,5 @@
 // Every stage comes to an end, also where its rule alone would go on: each limit is spent once.
-#include "core/stages/limits.h"
+#include "core/method/stages/limits.h"
 
 #include <gtest/gtest.h>
 

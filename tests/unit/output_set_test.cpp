@@ -1,5 +1,5 @@
 // Files that appear together or not at all, and which names are one file.
-#include "core/io/output_set.h"
+#include "core/base/output_set.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include <iterator>
 #include <set>
 
-#include "core/io/file_identity.h"
+#include "core/base/file_identity.h"
 
 namespace triscope {
 namespace {

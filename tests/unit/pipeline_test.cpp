@@ -1,5 +1,5 @@
 // The stage table, the grains, and what every event of every stage promises whatever it is about.
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/mesh/edit.h"
 #include "core/mesh/validate.h"
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 #include "support/meshes.h"
 #include "support/runs.h"
 #include "support/watch.h"

@@ -1,5 +1,5 @@
 // Step 6: the answer from one look at the star is that of the full trial, with the move made, measured and taken back.
-#include "core/stages/refine_trial.h"
+#include "core/method/stages/refine_trial.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
-#include "core/stages/refine_marks.h"
-#include "core/stages/refine_strain.h"
+#include "core/method/stages/refine_marks.h"
+#include "core/method/stages/refine_strain.h"
 #include "support/judge.h"
 #include "support/meshes.h"
 #include "support/random_domains.h"

@@ -1,5 +1,5 @@
 // What is kept of a whole run, against lists of everything.
-#include "core/run_record.h"
+#include "core/run/run_record.h"
 
 #include <gtest/gtest.h>
 

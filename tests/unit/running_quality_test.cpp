@@ -8,7 +8,7 @@
 
 #include "core/domain/read.h"
 #include "core/mesh/change_log.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 #include "core/quality/quality.h"
 
 namespace triscope {

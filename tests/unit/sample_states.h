@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/domain/read.h"
-#include "core/pipeline.h"
+#include "core/method/pipeline.h"
 
 namespace triscope::sample {
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/number.h"
 #include "core/density/wanted.h"
-#include "core/number.h"
 #include "render/scene.h"
 #include "sample_states.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "core/number.h"
+#include "core/base/number.h"
 #include "render/star.h"
 #include "sample_states.h"
 

@@ -1,5 +1,5 @@
 // Session files: what is written is read back, whatever is in it; what is wrong is refused with its place.
-#include "core/session_file.h"
+#include "core/session/session_file.h"
 
 #include <gtest/gtest.h>
 

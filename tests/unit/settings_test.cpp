@@ -1,4 +1,4 @@
-#include "core/settings.h"
+#include "core/words/settings.h"
 
 #include <gtest/gtest.h>
 

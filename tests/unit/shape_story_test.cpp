@@ -1,11 +1,11 @@
 // How triangles came by their shapes, held against the meshes that the same runs went through.
-#include "core/debug/shape_story.h"
+#include "core/explain/shape_story.h"
 
 #include <gtest/gtest.h>
 
-#include "core/debug/life.h"
+#include "core/explain/life.h"
 #include "core/quality/quality.h"
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 #include "support/recorded.h"
 
 namespace triscope {

@@ -9,7 +9,7 @@
 #include "core/density/constraint_search.h"
 #include "core/geometry/trig.h"
 #include "core/quality/quality.h"
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 #include "support/judge.h"
 #include "support/runs.h"
 

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/caption.h"
-#include "core/counted.h"
-#include "core/estimate.h"
+#include "core/base/counted.h"
+#include "core/explain/caption.h"
+#include "core/method/estimate.h"
 #include "support/runs.h"
 
 namespace triscope {

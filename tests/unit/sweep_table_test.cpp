@@ -1,5 +1,5 @@
 // The table of a sweep: its best cell, what it holds for, and where values lie in it.
-#include "core/debug/sweep_table.h"
+#include "core/study/sweep_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // A run stops before it makes a mesh of more triangles than allowed, says what asked for them, and takes little memory.
-#include "core/triangle_limit.h"
+#include "core/method/triangle_limit.h"
 
 #include <gtest/gtest.h>
 
-#include "core/caption.h"
-#include "core/estimate.h"
+#include "core/explain/caption.h"
+#include "core/method/estimate.h"
 #include "support/runs.h"
 
 namespace triscope {

@@ -1,5 +1,5 @@
 // Each rule of validity, on a good mesh and on one spoilt by hand.
-#include "core/debug/validity.h"
+#include "core/run/validity.h"
 
 #include <gtest/gtest.h>
 

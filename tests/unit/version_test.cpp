@@ -1,5 +1,5 @@
 // Files say which version made them; a reader is told where it was another.
-#include "core/version.h"
+#include "core/base/version.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The rows of vocabulary.h: complete, distinct, true of the events that runs make, and each of them made by some run.
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <set>
 #include <string>
 
-#include "core/debug/condition.h"
-#include "core/debug/element_events.h"
-#include "core/fields.h"
+#include "core/explain/fields.h"
 #include "core/mesh/mesh.h"
+#include "core/run/condition.h"
+#include "core/run/element_events.h"
 #include "support/runs.h"
 
 namespace triscope {

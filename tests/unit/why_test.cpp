@@ -1,6 +1,6 @@
 // Why, Why not and History, held against the recorded runs of samples: what is named exists, and the values named do
 // satisfy the rule named.
-#include "core/debug/why.h"
+#include "core/explain/why.h"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,11 @@
 #include <set>
 #include <string>
 
-#include "core/debug/life.h"
-#include "core/debug/recording.h"
+#include "core/explain/life.h"
 #include "core/geometry/circumcircle.h"
+#include "core/method/stages/insertion_rules.h"
 #include "core/quality/quality.h"
-#include "core/stages/insertion_rules.h"
-#include "core/vocabulary.h"
+#include "core/words/vocabulary.h"
 #include "support/recorded.h"
 #include "support/runs.h"
 
@@ -207,24 +206,27 @@ TEST(WhyNot, NamesEveryRuleAndRecordedRefusals) {
 TEST(WhyNot, ARuleIsSilentExactlyWhereItsConditionDoesNotHold) {
   // Right after the last round of steps 1-5: nothing has been moved since the rules had their last look.
   for (const char* const sample : {"annulus", "l_shape", "cracked_plate"}) {
-    Recording all(support::start(support::domainAt(support::samples() / (std::string(sample) + ".json"))));
-    ASSERT_TRUE(all.toStage(Stage::refine));
-    const Mesh& mesh = all.state().mesh;
+    MeshState state = support::start(support::domainAt(support::samples() / (std::string(sample) + ".json")));
+    std::vector<Event> events;
+    Journal journal{&events};
+    advanceUntil(state, Stage::repair, ~std::uint64_t{0}, journal);
+    ASSERT_EQ(state.stage, Stage::refine);
+    const Mesh& mesh = state.mesh;
     std::size_t silent = 0;
     for (std::size_t s = 0; s < mesh.triangles.size(); ++s) {
       const auto slot = static_cast<std::int32_t>(s);
       if (!mesh.alive(slot)) continue;
-      for (const Line& line : whyNot(all.events(), idOf(mesh, slot))) {
+      for (const Line& line : whyNot(events, idOf(mesh, slot))) {
         const std::string text = textOf(line);
         for (int step = 2; step <= 5; ++step) {
           const auto stage = static_cast<Stage>(static_cast<int>(Stage::step1) + step - 1);
           Proposal proposal;
           LeafPath path;
           if (text.find("Step " + std::to_string(step) + " proposed nothing") == 0) {
-            EXPECT_FALSE(proposes(stage, all.state(), slot, path, proposal)) << sample << ": " << text;
+            EXPECT_FALSE(proposes(stage, state, slot, path, proposal)) << sample << ": " << text;
             ++silent;
           } else if (text.find(": Step " + std::to_string(step) + " proposed a vertex") != std::string::npos) {
-            EXPECT_TRUE(proposes(stage, all.state(), slot, path, proposal)) << sample << ": " << text;
+            EXPECT_TRUE(proposes(stage, state, slot, path, proposal)) << sample << ": " << text;
           }
         }
       }

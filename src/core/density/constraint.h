@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "core/event.h"
-#include "core/geometry/point.h"
+#include "core/base/point.h"
+#include "core/words/event.h"
 
 namespace triscope {
 

@@ -8,7 +8,7 @@
 #include "core/density/boundary_tree.h"
 #include "core/density/constraint.h"
 #include "core/domain/domain.h"
-#include "core/settings.h"
+#include "core/words/settings.h"
 
 namespace triscope {
 

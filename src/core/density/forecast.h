@@ -6,7 +6,7 @@
 
 #include "core/density/quadtree.h"
 #include "core/domain/domain.h"
-#include "core/settings.h"
+#include "core/words/settings.h"
 
 namespace triscope {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <bit>
 
-#include "core/assert.h"
+#include "core/base/assert.h"
 
 namespace triscope {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/number.h"
 #include "core/density/sources.h"
-#include "core/number.h"
 
 namespace triscope {
 

@@ -7,7 +7,7 @@
 
 #include "core/density/constraint.h"
 #include "core/domain/domain.h"
-#include "core/settings.h"
+#include "core/words/settings.h"
 
 namespace triscope {
 

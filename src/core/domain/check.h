@@ -1,8 +1,8 @@
 // Is a domain one that can be meshed? Exact: no tolerance decides.
 #pragma once
 
+#include "core/base/result.h"
 #include "core/domain/draft.h"
-#include "core/result.h"
 
 namespace triscope {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/point.h"
 #include "core/domain/curve.h"
-#include "core/geometry/point.h"
 
 namespace triscope {
 

@@ -1,6 +1,6 @@
 #include "core/domain/domain_hash.h"
 
-#include "core/digest.h"
+#include "core/base/digest.h"
 
 namespace triscope {
 namespace {

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <utility>
 
+#include "core/base/json_value.h"
 #include "core/domain/check.h"
 #include "core/domain/draft.h"
-#include "core/domain/json_value.h"
 #include "core/domain/read_density.h"
 #include "core/domain/read_loop.h"
 #include "core/domain/read_values.h"

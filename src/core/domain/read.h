@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/domain/domain.h"
-#include "core/result.h"
 
 namespace triscope {
 

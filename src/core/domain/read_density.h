@@ -1,9 +1,9 @@
 // Reading what a domain file asks of the density.
 #pragma once
 
+#include "core/base/json_value.h"
+#include "core/base/result.h"
 #include "core/domain/domain.h"
-#include "core/domain/json_value.h"
-#include "core/result.h"
 
 namespace triscope {
 

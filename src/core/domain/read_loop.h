@@ -1,9 +1,9 @@
 // Reading one loop or chain of a domain file into curves.
 #pragma once
 
+#include "core/base/json_value.h"
+#include "core/base/result.h"
 #include "core/domain/draft.h"
-#include "core/domain/json_value.h"
-#include "core/result.h"
 
 namespace triscope {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/domain/json_value.h"
-#include "core/result.h"
+#include "core/base/json_value.h"
+#include "core/base/result.h"
 
 namespace triscope {
 

@@ -1,7 +1,7 @@
 // The circle through the corners of a triangle, by + - * / only: the same bits with every compiler.
 #pragma once
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope {
 

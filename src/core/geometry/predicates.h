@@ -6,7 +6,7 @@
 // Discrete & Computational Geometry 18, 1997).
 #pragma once
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope {
 

@@ -2,7 +2,7 @@
 // Everything that reaches the mesh uses these and never the functions of <cmath>.
 #pragma once
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope::trig {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "core/domain/json_value.h"
-#include "core/io/json_text.h"
+#include "core/base/json_text.h"
+#include "core/base/json_value.h"
 
 namespace triscope {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <string_view>
 
-#include "core/io/json_text.h"
-#include "core/pipeline.h"
-#include "core/version.h"
-#include "core/vocabulary.h"
+#include "core/base/json_text.h"
+#include "core/base/version.h"
+#include "core/method/pipeline.h"
+#include "core/words/vocabulary.h"
 
 namespace triscope {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <string>
 
-#include "core/event.h"
-#include "core/io/append_text.h"
-#include "core/io/output_set.h"
-#include "core/result.h"
+#include "core/base/append_text.h"
+#include "core/base/output_set.h"
+#include "core/base/result.h"
+#include "core/words/event.h"
 
 namespace triscope {
 

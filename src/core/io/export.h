@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/io/mesh_file.h"
-#include "core/state.h"
+#include "core/method/state.h"
 
 namespace triscope {
 

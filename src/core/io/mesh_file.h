@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope {
 

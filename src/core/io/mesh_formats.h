@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/text_sink.h"
 #include "core/io/mesh_file.h"
-#include "core/io/text_sink.h"
 
 namespace triscope {
 

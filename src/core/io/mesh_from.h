@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/io/mesh_file.h"
 #include "core/mesh/mesh.h"
-#include "core/result.h"
 
 namespace triscope {
 

@@ -1,7 +1,7 @@
 // Formats for space hold a z with every point; a plane mesh has the same one everywhere.
 #pragma once
 
-#include "core/io/text_scanner.h"
+#include "core/base/text_scanner.h"
 
 namespace triscope {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/io/mesh_file.h"
-#include "core/result.h"
 
 namespace triscope {
 

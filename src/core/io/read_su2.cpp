@@ -2,8 +2,8 @@
 // and the markers' lines are taken; what other keys say is passed over.
 #include <algorithm>
 
+#include "core/base/text_scanner.h"
 #include "core/io/read_mesh.h"
-#include "core/io/text_scanner.h"
 
 namespace triscope {
 namespace {

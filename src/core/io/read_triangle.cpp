@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/text_scanner.h"
 #include "core/io/read_mesh.h"
-#include "core/io/text_scanner.h"
 
 namespace triscope {
 namespace {

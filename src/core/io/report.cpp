@@ -1,8 +1,8 @@
 #include "core/io/report.h"
 
-#include "core/io/json_text.h"
-#include "core/pipeline.h"
-#include "core/version.h"
+#include "core/base/json_text.h"
+#include "core/base/version.h"
+#include "core/method/pipeline.h"
 
 namespace triscope {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
+#include "core/method/state.h"
 #include "core/quality/quality.h"
-#include "core/state.h"
 
 namespace triscope {
 

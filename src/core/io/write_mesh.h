@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/output_set.h"
+#include "core/base/result.h"
 #include "core/io/mesh_file.h"
-#include "core/io/output_set.h"
-#include "core/result.h"
 
 namespace triscope {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/assert.h"
+#include "core/base/assert.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"

@@ -1,6 +1,6 @@
 #include "core/mesh/edit.h"
 
-#include "core/assert.h"
+#include "core/base/assert.h"
 #include "core/mesh/change_log.h"
 
 namespace triscope {

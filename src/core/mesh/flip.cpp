@@ -1,6 +1,6 @@
 #include "core/mesh/flip.h"
 
-#include "core/assert.h"
+#include "core/base/assert.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"

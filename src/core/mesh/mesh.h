@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/point.h"
+#include "core/base/point.h"
 
 namespace triscope {
 

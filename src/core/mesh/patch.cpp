@@ -1,6 +1,6 @@
 #include "core/mesh/patch.h"
 
-#include "core/assert.h"
+#include "core/base/assert.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {

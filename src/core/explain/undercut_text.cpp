@@ -1,0 +1,46 @@
+#include "core/explain/undercut_text.h"
+
+#include <fmt/format.h>
+
+#include "core/domain/loop_of.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kRounding = 1.0 - 1e-9;  // an edge meant to be as long as was asked may come out this much shorter
+
+std::int32_t shortestEdgeOf(const Mesh& mesh, std::int32_t slot) {
+  std::int32_t shortest = 3 * slot;
+  for (std::int32_t half = 3 * slot; half < 3 * slot + 3; ++half) {
+    const auto squaredLength = [&](std::int32_t h) {
+      return squaredDistance(pointOf(mesh, startOf(mesh, h)), pointOf(mesh, endOf(mesh, h)));
+    };
+    if (squaredLength(half) < squaredLength(shortest)) shortest = half;
+  }
+  return shortest;
+}
+
+/// The boundary edge between two vertices, null when there is none.
+const BoundaryEdge* boundaryEdgeBetween(const Mesh& mesh, std::int32_t a, std::int32_t b) {
+  for (const BoundaryEdge& edge : mesh.edges)
+    if ((edge.v0 == a && edge.v1 == b) || (edge.v0 == b && edge.v1 == a)) return &edge;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string undercutText(const MeshState& state, const Quality& quality) {
+  if (state.minEdgeDerived || quality.minEdgeAt < 0 || quality.minEdge >= kRounding * state.minEdge) return {};
+  const Mesh& mesh = state.mesh;
+  const std::int32_t half = shortestEdgeOf(mesh, quality.minEdgeAt);
+  const std::int32_t a = startOf(mesh, half), b = endOf(mesh, half);
+  const Point middle = midpoint(pointOf(mesh, a), pointOf(mesh, b));
+  const BoundaryEdge* const edge = boundaryEdgeBetween(mesh, a, b);
+  const std::string why = edge != nullptr
+                              ? fmt::format("it is a piece of '{}'", loopOf(*state.domain, edge->curve).name)
+                              : "it is near kept edges, a gap or a sharp corner that leave no room for longer ones";
+  return fmt::format("the shortest edge, {:.4g} at ({:.6g}, {:.6g}), is below the min_edge_length given, {:g}: {}",
+                     quality.minEdge, middle.x, middle.y, state.minEdge, why);
+}
+
+}  // namespace triscope

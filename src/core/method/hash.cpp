@@ -1,0 +1,91 @@
+// A digest of a state, to compare runs by.
+#include "core/base/digest.h"
+#include "core/method/state.h"
+
+namespace triscope {
+namespace {
+
+void add(Digest& digest, const Mesh& mesh) {
+  digest.points(mesh.points);
+  digest.integers(mesh.kinds);
+  digest.integers(mesh.density);
+  digest.integers(mesh.vertexTriangle);
+  digest.integers(mesh.vertexEdge);
+  digest.word(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      digest.word(static_cast<std::uint64_t>(t.v[i]) << 32 ^
+                  static_cast<std::uint64_t>(static_cast<std::uint32_t>(t.adj[i])));
+    }
+  }
+  digest.integers(mesh.ids);
+  digest.integers(mesh.flags);
+  digest.integers(mesh.tested);
+  digest.integers(mesh.freeSlots);
+  for (const BoundaryEdge& e : mesh.edges) {
+    digest.word(static_cast<std::uint64_t>(e.v0) << 32 ^ static_cast<std::uint64_t>(e.v1));
+    digest.word(e.curve);
+    digest.number(e.t0);
+    digest.number(e.t1);
+  }
+  digest.word(mesh.nextId);
+  digest.word(static_cast<std::uint64_t>(mesh.lastTriangle));
+}
+
+void add(Digest& digest, const std::vector<Constraint>& constraints) {
+  for (const Constraint& c : constraints) {
+    digest.point(c.at);
+    digest.number(c.length);
+    digest.word(static_cast<std::uint64_t>(c.source) << 32 ^ c.curve);
+  }
+}
+
+// The boundary's tree follows from the domain.
+void add(Digest& digest, const ConstraintSearch& search) {
+  if (search.part == ConstraintSearch::Part::over) return;
+  digest.word(static_cast<std::uint64_t>(search.part) << 32 ^ search.index);
+  digest.word(static_cast<std::uint64_t>(search.curve) << 32 ^ search.sample);
+  digest.number(search.along);
+  digest.word(search.backwards ? 1 : 0);
+  add(digest, search.found);
+}
+
+}  // namespace
+
+std::uint64_t hashOf(const MeshState& state) {
+  Digest digest;
+  digest.number(state.minEdge);
+  add(digest, state.search);
+  add(digest, state.constraints);
+  for (const Cell& c : state.tree.cells) {
+    digest.word(static_cast<std::uint64_t>(c.child) << 32 ^ c.x);
+    digest.word(static_cast<std::uint64_t>(c.y) << 32 ^ static_cast<std::uint64_t>(c.rank) << 24 ^
+                static_cast<std::uint64_t>(c.density) << 16 ^ static_cast<std::uint64_t>(c.type) << 8 ^ c.visited);
+  }
+  digest.number(state.estimatedTriangles);
+  for (const BoundaryPoint& p : state.boundary) {
+    digest.point(p.at);
+    digest.number(p.t);
+    digest.word(static_cast<std::uint64_t>(p.curve) << 32 ^
+                static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.vertex)));
+  }
+  add(digest, state.mesh);
+  digest.integers(state.front1);
+  digest.integers(state.front2);
+  digest.integers(state.frontLoops);
+  digest.word(static_cast<std::uint64_t>(state.stage) << 32 ^ state.round);
+  digest.word(state.roundChanges);
+  digest.word(static_cast<std::uint64_t>(state.roundsDone) << 32 ^ state.passesDone);
+  digest.word(static_cast<std::uint64_t>(state.cursor.begun) << 32 ^
+              static_cast<std::uint64_t>(state.cursor.inside) << 33 ^ state.cursor.phase);
+  digest.word(state.cursor.index);
+  digest.word(state.cursor.changes);
+  digest.integers(state.cursor.worklist);
+  digest.integers(state.cursor.next);
+  digest.points(state.cursor.points);
+  digest.word(state.tick);
+  digest.word(state.failed ? 1 : 0);
+  return digest.value;
+}
+
+}  // namespace triscope

@@ -1,0 +1,112 @@
+// Stage "density" (paper, Figure 1 c, d): an advancing front from the densest cells gives every cell its rank, at most
+// one more than its neighbour's; cells too large for their rank are split.
+#include <algorithm>
+
+#include "core/density/classify.h"
+#include "core/method/stages/balance.h"
+#include "core/method/stages/split_leaf.h"
+#include "core/method/stages/stage_runs.h"
+
+namespace triscope {
+namespace {
+
+enum Phase : std::uint32_t { advance_front, balance, classify, over };
+constexpr std::size_t kRanks = 256;
+
+// The front is kept in buckets by density rank: worklist[rank] heads a list of entries in `next`, each a cell and the
+// index of the entry after it. A cell may wait in two buckets; the one that no longer fits its rank is stale.
+void push(MeshState& state, std::int32_t leaf) {
+  Cursor& cursor = state.cursor;
+  const std::size_t rank = state.tree.cells[static_cast<std::size_t>(leaf)].density;
+  cursor.next.push_back(leaf);
+  cursor.next.push_back(cursor.worklist[rank]);
+  cursor.worklist[rank] = static_cast<std::int32_t>(cursor.next.size()) - 2;
+  cursor.index = std::min<std::uint64_t>(cursor.index, rank);
+}
+
+void begin(MeshState& state) {
+  Cursor& cursor = state.cursor;
+  cursor.begun = true;
+  cursor.worklist.assign(kRanks, -1);
+  cursor.index = kRanks;
+  for (std::size_t k = state.tree.cells.size(); k-- > 0;) {
+    const Cell& cell = state.tree.cells[k];
+    if (cell.child < 0 && cell.density < 3 * cell.rank) push(state, static_cast<std::int32_t>(k));
+  }
+  if (cursor.index == kRanks) push(state, 0);
+}
+
+Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, Journal& journal) {
+  Quadtree& tree = state.tree;
+  Cell& a = tree.cells[static_cast<std::size_t>(leaf)];
+  Cell& b = tree.cells[static_cast<std::size_t>(other)];
+  const int before = b.density;
+  int rank = std::min<int>({before, a.density + 1, state.settings.maxRank});
+  if (b.rank > largestCellRank(rank)) {
+    splitLeaf(state, journal, {Rule::advancing_front, static_cast<std::uint32_t>(leaf), largestCellRank(rank)}, other);
+    return Outcome::decided;
+  }
+  if (b.rank < smallestCellRank(rank)) rank = a.density;
+  b.density = static_cast<std::uint8_t>(rank);
+  b.visited = 1;
+  push(state, other);
+  if (journal.listening()) {
+    Event event = eventIn(state, EventKind::cell_ranked, Rule::advancing_front);
+    event.subject = static_cast<std::uint32_t>(other);
+    event.other = static_cast<std::uint32_t>(leaf);
+    event.measured = rank;
+    event.limit = before;
+    const double half = 0.5 * tree.side(b);
+    event.at = tree.corner(b) + Point{half, half};
+    journal.record(event);
+  }
+  return Outcome::decided;
+}
+
+Outcome advanceFront(MeshState& state, Journal& journal) {
+  Cursor& cursor = state.cursor;
+  thread_local LeafPath path;
+  for (int looked = 0; cursor.index < kRanks; ++looked) {
+    if (looked == kPiece) return Outcome::worked;
+    const std::int32_t entry = cursor.worklist[cursor.index];
+    if (entry < 0) {
+      ++cursor.index;
+      continue;
+    }
+    const std::int32_t leaf = cursor.next[static_cast<std::size_t>(entry)];
+    Cell& cell = state.tree.cells[static_cast<std::size_t>(leaf)];
+    const bool stale = cell.child >= 0 || cell.density != cursor.index;
+    if (!stale) {
+      cell.visited = 1;
+      const std::int32_t other = unvisitedNeighbour(state.tree, leaf, path);
+      if (other >= 0) return rankNeighbour(state, leaf, other, journal);
+    }
+    cursor.worklist[cursor.index] = cursor.next[static_cast<std::size_t>(entry) + 1];
+  }
+  return Outcome::done;
+}
+
+}  // namespace
+
+Outcome runDensity(MeshState& state, Journal& journal) {
+  if (state.failed) return Outcome::done;
+  Cursor& cursor = state.cursor;
+  if (!cursor.begun) begin(state);
+  if (cursor.phase == advance_front) {
+    if (const Outcome outcome = advanceFront(state, journal); outcome != Outcome::done) return outcome;
+    cursor.phase = balance;
+    queueLeaves(state);
+  }
+  if (cursor.phase == balance) {
+    if (const Outcome outcome = balanceOne(state, journal); outcome != Outcome::done) return outcome;
+    cursor.phase = classify;
+  }
+  if (cursor.phase == classify) {
+    state.estimatedTriangles = classifyCells(state.tree, *state.domain);
+    cursor.phase = over;
+    holdToLimit(state, state.estimatedTriangles, journal);
+  }
+  return Outcome::done;
+}
+
+}  // namespace triscope

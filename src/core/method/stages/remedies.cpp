@@ -1,0 +1,146 @@
+#include "core/method/stages/remedies.h"
+
+#include <algorithm>
+
+#include "core/geometry/circumcircle.h"
+#include "core/geometry/trig.h"
+#include "core/mesh/badness.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/move.h"
+#include "core/mesh/remove.h"
+
+namespace triscope {
+namespace {
+
+// A vertex with more triangles than this around it is not taken out, and of a hub with more boundary edges only those
+// to other vertices at hand are split: what is tried around one triangle stays a few hundred edits.
+constexpr std::size_t kLargestStar = 64;
+constexpr int kLargestHub = 8;
+
+void addMoves(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remedies) {
+  thread_local Star star;
+  starOf(patch, vertex, star);
+  if (!star.closed || patch.vertexEdge[at(vertex)] >= 0) return;
+  const Point p = pointOf(patch, vertex);
+  Point mean;
+  double reach = 0.0;
+  for (const std::int32_t rim : star.rim) {
+    const Point q = pointOf(patch, startOf(patch, rim));
+    mean = mean + q;
+    reach += distance(p, q);
+  }
+  const double n = static_cast<double>(star.rim.size());
+  reach /= n;
+  remedies.push_back({MeshEdit::move, vertex, (1.0 / n) * mean});
+  for (const double radius : {0.06, 0.15, 0.3}) {
+    for (int k = 0; k < 8; ++k) {
+      const trig::SinCos turn = trig::sinCos(k * 45.0 * trig::kDegree);
+      remedies.push_back({MeshEdit::move, vertex, p + (radius * reach) * Point{turn.cos, turn.sin}});
+    }
+  }
+}
+
+void addInsertions(const Mesh& patch, std::int32_t slot, std::vector<Remedy>& remedies) {
+  const Triangle& t = triangleAt(patch, slot);
+  const Point a = pointOf(patch, t.v[0]), b = pointOf(patch, t.v[1]), c = pointOf(patch, t.v[2]);
+  const Point middle = centroidOf(patch, slot);
+  const Point centre = circumcentre(a, b, c);
+  remedies.push_back({MeshEdit::insert, -1, middle});
+  for (const double part : {0.5, 0.75, 1.0})
+    remedies.push_back({MeshEdit::insert, -1, middle + part * (centre - middle)});
+  for (int i = 0; i < 3; ++i) {
+    const Point m = midpoint(pointOf(patch, startOf(patch, 3 * slot + i)), pointOf(patch, endOf(patch, 3 * slot + i)));
+    if (oppositeOf(patch, 3 * slot + i) >= 0) remedies.push_back({MeshEdit::insert, -1, m});
+  }
+}
+
+std::int32_t patient(const Mesh& patch) {
+  for (std::size_t slot = 0; slot < patch.triangles.size(); ++slot) {
+    const auto s = static_cast<std::int32_t>(slot);
+    if (patch.alive(s) && breaksBound(patch, s)) return s;
+  }
+  return firstLive(patch);
+}
+
+void addRemoval(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remedies) {
+  thread_local Star star;
+  starOf(patch, vertex, star);
+  if (star.rim.size() <= kLargestStar) remedies.push_back({MeshEdit::remove, vertex, pointOf(patch, vertex)});
+}
+
+void addSplits(const Mesh& patch, std::int32_t vertex, const std::vector<std::int32_t>& near,
+               std::vector<Remedy>& remedies) {
+  const auto eachEdge = [&](const auto& visit) {
+    for (std::int32_t e = patch.vertexEdge[at(vertex)]; e >= 0;) {
+      const BoundaryEdge& edge = patch.edges[at(e)];
+      visit(e, edge, edge.v0 == vertex ? edge.v1 : edge.v0);
+      e = edge.v0 == vertex ? edge.next0 : edge.next1;
+    }
+  };
+  int edges = 0;
+  eachEdge([&](std::int32_t, const BoundaryEdge&, std::int32_t) { ++edges; });
+  eachEdge([&](std::int32_t e, const BoundaryEdge& edge, std::int32_t other) {
+    if (edges > kLargestHub && std::find(near.begin(), near.end(), other) == near.end()) return;
+    remedies.push_back({MeshEdit::split, e, midpoint(pointOf(patch, edge.v0), pointOf(patch, edge.v1))});
+  });
+}
+
+}  // namespace
+
+std::int32_t firstLive(const Mesh& mesh) {
+  std::int32_t slot = 0;
+  while (!mesh.alive(slot)) ++slot;
+  return slot;
+}
+
+void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies) {
+  remedies.clear();
+  thread_local std::vector<std::int32_t> near, slots;
+  const std::int32_t centre = patient(patch);
+  near.assign(triangleAt(patch, centre).v.begin(), triangleAt(patch, centre).v.end());
+  slots.assign(1, centre);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    for (const std::int32_t across : triangleAt(patch, slots[k]).adj) {
+      if (across < 0) continue;
+      if (std::find(near.begin(), near.end(), apexOf(patch, across)) == near.end())
+        near.push_back(apexOf(patch, across));
+      if (k == 0) slots.push_back(triangleOf(across));
+    }
+  }
+  for (const std::int32_t vertex : near) addMoves(patch, vertex, remedies);
+  for (const std::int32_t slot : slots) addInsertions(patch, slot, remedies);
+  for (const std::int32_t vertex : near) {
+    if (patch.vertexEdge[at(vertex)] < 0) {
+      addRemoval(patch, vertex, remedies);
+    } else {
+      addSplits(patch, vertex, near, remedies);
+    }
+  }
+}
+
+Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor) {
+  thread_local MoveLog log;
+  Attempt attempt;
+  attempt.refusal = Refusal::inverts_triangle;
+  switch (remedy.edit) {
+    case MeshEdit::move:
+      attempt.firstId = mesh.nextId;
+      if (moveVertex(mesh, remedy.index, remedy.to, log)) attempt.refusal = Refusal::none;
+      attempt.createdCount = mesh.nextId - attempt.firstId;
+      return attempt;
+    case MeshEdit::insert:
+      return place(mesh, state.tree, remedy.to, start, VertexKind::steiner, {floor, -0.5});
+    case MeshEdit::remove:
+      attempt.firstId = mesh.nextId;
+      if (removeVertex(mesh, remedy.index)) attempt.refusal = Refusal::none;
+      attempt.createdCount = mesh.nextId - attempt.firstId;
+      return attempt;
+    case MeshEdit::split:
+      return splitBoundary(mesh, *state.domain, state.tree, remedy.index, floor);
+    case MeshEdit::none:
+      break;
+  }
+  return attempt;
+}
+
+}  // namespace triscope

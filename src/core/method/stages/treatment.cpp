@@ -1,0 +1,105 @@
+#include "core/method/stages/treatment.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/mesh/change_log.h"
+#include "core/mesh/edit.h"
+#include "core/mesh/patch.h"
+#include "core/mesh/trial.h"
+
+namespace triscope {
+namespace {
+
+constexpr int kPatchDepth = 7;
+
+bool better(const Breach& l, const Breach& r) {
+  return l.broken < r.broken || (l.broken == r.broken && l.excess < r.excess * (1.0 - 1e-6));
+}
+
+/// An edit that changes which vertices there are, better or not, to try a second one after.
+struct Lead {
+  Breach after;
+  Remedy remedy;
+};
+constexpr std::size_t kLeads = 6;
+
+struct Search {
+  const MeshState& state;
+  double floor = 0.0;
+  Breach best;
+  Treatment chosen{};
+  std::vector<Lead> leads;  // best first
+  Trial& trial;
+  ChangeLog& touched;
+};
+
+void takeLead(std::vector<Lead>& leads, const Breach& after, const Remedy& remedy) {
+  const auto place = std::find_if(leads.begin(), leads.end(), [&](const Lead& l) { return better(after, l.after); });
+  leads.insert(place, {after, remedy});
+  if (leads.size() > kLeads) leads.pop_back();
+}
+
+// Tries the remedies for the trial's mesh, `first` having been made already; without one, leads are collected too.
+void tryRemedies(Search& search, const Remedy& first) {
+  thread_local std::vector<Remedy> remedies;
+  Trial& trial = search.trial;
+  collectRemedies(trial.unedited, remedies);
+  const std::int32_t start = firstLive(trial.unedited);
+  for (const Remedy& remedy : remedies) {
+    const bool lead = first.edit == MeshEdit::none && remedy.edit != MeshEdit::move;
+    search.touched.slots.clear();
+    if (applyRemedy(trial.mesh, search.state, remedy, start, search.floor).refusal != Refusal::none) continue;
+    int most = search.best.broken;
+    if (lead) {
+      most = search.leads.size() < kLeads ? std::numeric_limits<int>::max()
+                                          : std::max(most, search.leads.back().after.broken);
+    }
+    const Breach after = judgeEdit(trial, search.touched.slots, most);
+    takeBack(trial, search.touched.slots);
+    if (after.shortest < search.floor * search.floor) continue;
+    if (better(after, search.best)) {
+      search.best = after;
+      search.chosen = first.edit == MeshEdit::none ? Treatment{remedy, Remedy{}} : Treatment{first, remedy};
+    }
+    if (search.best.broken == 0) return;  // nothing can be better
+    if (lead) takeLead(search.leads, after, remedy);
+  }
+}
+
+// From the patch's numbering to the mesh's. What the first edit makes has the next number in both.
+void translate(const MeshState& state, const Patch& patch, Remedy& remedy) {
+  const auto across = [](const std::vector<std::int32_t>& map, std::size_t size, std::int32_t local) {
+    const auto l = static_cast<std::size_t>(local);
+    return l < map.size() ? map[l] : static_cast<std::int32_t>(size + l - map.size());
+  };
+  if (remedy.edit == MeshEdit::move || remedy.edit == MeshEdit::remove) {
+    remedy.index = across(patch.vertices, state.mesh.points.size(), remedy.index);
+  } else if (remedy.edit == MeshEdit::split) {
+    remedy.index = across(patch.edges, state.mesh.edges.size(), remedy.index);
+  }
+}
+
+}  // namespace
+
+Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor) {
+  const ChangeLog::Pause onACopy;
+  ChangeLog touched;
+  thread_local Patch patch;
+  thread_local Trial trial;
+  extractPatch(state.mesh, slot, kPatchDepth, patch);
+  beginTrial(trial, patch.mesh);
+  floor = std::min(state.minEdge, std::sqrt(trial.whole.shortest) * (1.0 - 1e-9));
+  Search search{state, floor, trial.whole, {}, {}, trial, touched};
+  tryRemedies(search, {});
+  for (std::size_t k = 0; search.chosen[0].edit == MeshEdit::none && k < search.leads.size(); ++k) {
+    if (k > 0) beginTrial(trial, patch.mesh);
+    applyRemedy(trial.mesh, state, search.leads[k].remedy, 0, floor);
+    keepEdit(trial);
+    tryRemedies(search, search.leads[k].remedy);
+  }
+  for (Remedy& remedy : search.chosen) translate(state, patch, remedy);
+  return search.chosen;
+}
+
+}  // namespace triscope

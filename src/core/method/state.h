@@ -1,0 +1,77 @@
+// The kernel is a value: a copy of MeshState is a snapshot that can be carried on, and gives the same bytes as
+// a run that was never stopped. No pointer into itself, no thread, no callback; the domain is shared and const.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/density/constraint.h"
+#include "core/density/constraint_search.h"
+#include "core/density/quadtree.h"
+#include "core/domain/domain.h"
+#include "core/mesh/mesh.h"
+#include "core/words/settings.h"
+#include "core/words/stage.h"
+
+namespace triscope {
+
+struct StageCounts {
+  std::uint64_t decisions = 0;
+  std::uint64_t inserted = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t moved = 0;
+  std::uint64_t removed = 0;
+};
+
+/// Where a stage is. What the fields mean is each stage's own business; all are zero or empty when it begins.
+struct Cursor {
+  bool begun = false;
+  bool inside = false;  // in the middle of item `index`
+  std::uint32_t phase = 0;
+  std::uint64_t index = 0;
+  std::uint64_t changes = 0;  // decisions of this stage that changed something
+  std::vector<std::int32_t> worklist;
+  std::vector<std::int32_t> next;
+  std::vector<Point> points;
+};
+
+/// A boundary point before it is a vertex.
+struct BoundaryPoint {
+  Point at;
+  std::uint32_t curve = 0;
+  double t = 0.0;
+  bool kept = false;  // a corner or input point
+  std::int32_t vertex = -1;
+};
+
+struct MeshState {
+  std::shared_ptr<const Domain> domain;
+  Settings settings;
+  double minEdge = 0.0;  // Δx in force
+  bool minEdgeDerived = false;
+  ConstraintSearch search;  // while constraints are looked for
+  std::vector<Constraint> constraints;
+  Quadtree tree;
+  double estimatedTriangles = 0.0;  // Table 1, known after the density stage
+  std::vector<BoundaryPoint> boundary;
+  Mesh mesh;
+  std::vector<std::int32_t> front1;  // vertices, in the order placed
+  std::vector<std::int32_t> front2;
+  std::vector<std::int32_t> frontLoops;  // the first front as closed loops of vertices, each ended by -1
+  Stage stage = Stage::constraints;      // the stage that the next decision belongs to
+  std::uint16_t round = 0;               // of steps 2-5, from 1; pass of step 6 while in refine
+  std::uint64_t roundChanges = 0;        // insertions since this round began
+  std::uint16_t roundsDone = 0;          // rounds of steps 2-5 begun and left behind, and …
+  std::uint16_t passesDone = 0;          // … passes of step 6; they stay when `round` begins again
+  Cursor cursor;
+  std::uint64_t tick = 0;  // decisions made
+  std::array<StageCounts, kStageCount> counts{};
+  bool failed = false;  // the method could not go on; the state stays to be looked at
+};
+
+/// 64-bit digest of everything above except the domain and the counts.
+std::uint64_t hashOf(const MeshState& state);
+
+}  // namespace triscope

@@ -1,0 +1,141 @@
+#include "core/method/triangle_limit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/number.h"
+#include "core/density/forecast.h"
+#include "core/density/request_text.h"
+#include "core/density/sources.h"
+#include "core/domain/loop_of.h"
+#include "core/method/estimate.h"
+
+namespace triscope {
+namespace {
+
+/// Before cells are classified every leaf says `outside`.
+bool classified(const Quadtree& tree) {
+  return std::ranges::any_of(tree.cells, [](const Cell& c) { return c.child < 0 && c.type != CellType::outside; });
+}
+
+std::string nameOf(const Domain& domain, Rule source, std::uint32_t index) {
+  if (source == Rule::user_request) return requestName(domain, index);
+  const std::string& loop = loopOf(domain, index).name;
+  switch (source) {
+    case Rule::curvature:
+      return fmt::format("the curvature of loop '{}'", loop);
+    case Rule::corner:
+      return fmt::format("the corners of loop '{}'", loop);
+    case Rule::gap:
+      return fmt::format("the gaps beside loop '{}'", loop);
+    default:
+      return fmt::format("the short edges of loop '{}'", loop);
+  }
+}
+
+/// Wishes with one name, and the triangles in the leaves that they are the finest in.
+struct Group {
+  double triangles = 0.0;
+  double finest = 1e300;
+  Rule source = Rule::none;
+  std::uint32_t curve = kNoId;
+  Point at;
+};
+
+constexpr std::size_t kSources = 4;  // of the geometry: curvature to short_edge
+
+std::size_t groupOf(const Domain& domain, const Constraint& constraint) {
+  if (constraint.source == Rule::user_request) return constraint.curve;
+  const auto loop = static_cast<std::size_t>(&loopOf(domain, constraint.curve) - domain.loops.data());
+  return domain.density.size() + loop * kSources + static_cast<std::size_t>(constraint.source) -
+         static_cast<std::size_t>(Rule::curvature);
+}
+
+std::string hintOf(const MeshState& state, const Asker& asker) {
+  constexpr std::string_view kOr = "or raise max_triangles";
+  switch (asker.source) {
+    case Rule::user_request: {
+      const double factor = 1.05 * std::sqrt(state.estimatedTriangles / state.settings.maxTriangles);
+      return fmt::format("ask for edges of {:.2g} or longer there, {}", asker.length * factor, kOr);
+    }
+    case Rule::curvature:
+      return fmt::format("give a larger min_edge_length than {} or a larger curvature_turn, {}", compact(state.minEdge),
+                         kOr);
+    case Rule::gap:
+      return fmt::format("give a larger min_edge_length than {} or a larger gap_fraction, {}", compact(state.minEdge),
+                         kOr);
+    case Rule::none:
+      return fmt::format("give a larger min_edge_length than {} or a larger max_rank, {}", compact(state.minEdge), kOr);
+    default:
+      return fmt::format("give a larger min_edge_length than {}, {}", compact(state.minEdge), kOr);
+  }
+}
+
+}  // namespace
+
+bool overLimit(const MeshState& state) {
+  return state.failed && state.estimatedTriangles > state.settings.maxTriangles;
+}
+
+Asker askerOf(const MeshState& state) {
+  const Domain& domain = *state.domain;
+  const bool types = classified(state.tree);
+  const Quadtree& tree = state.tree;
+  std::vector<std::uint8_t> ranks = forecastOf(tree, domain, state.settings, state.minEdge);
+  const std::size_t byRank = domain.density.size() + domain.loops.size() * kSources;
+  std::vector<Group> groups(byRank + 1);
+  groups[byRank].at = midpoint(domain.bounds.lo, domain.bounds.hi);
+  constexpr std::size_t kNobody = ~std::size_t{0};
+  std::vector<std::size_t> owner(tree.cells.size(), kNobody);
+  std::vector<std::int32_t> leaves;
+  for (const Constraint& constraint : state.constraints) {
+    Group& group = groups[groupOf(domain, constraint)];
+    if (constraint.length < group.finest) {
+      group.finest = constraint.length;
+      group.source = constraint.source;
+      group.curve = constraint.curve;
+      group.at = constraint.at;
+    }
+    const int rank = rankAtMost(constraint.length * tree.minEdgeInverse * (1.0 + 1e-12));
+    leavesIn(tree, latticeBoxOf(tree, reachOf(constraint, domain)), leaves);
+    for (const std::int32_t leaf : leaves) {
+      std::uint8_t& ranked = ranks[static_cast<std::size_t>(leaf)];
+      if (rank > ranked) continue;
+      ranked = static_cast<std::uint8_t>(rank);
+      owner[static_cast<std::size_t>(leaf)] = static_cast<std::size_t>(&group - groups.data());
+    }
+  }
+  for (std::size_t k = 0; k < tree.cells.size(); ++k) {
+    const Cell& cell = tree.cells[k];
+    if (cell.child >= 0 || (types && cell.type == CellType::outside)) continue;
+    std::size_t group = owner[k];
+    if (group == kNobody && ranks[k] == state.settings.maxRank) group = byRank;
+    if (group != kNobody) groups[group].triangles += trianglesInCell(cell.rank, ranks[k]);
+  }
+  const Group& most = *std::ranges::max_element(groups, {}, &Group::triangles);
+  if (most.curve == kNoId)
+    return {Rule::none, kNoId, edgeLengthOf(state.tree, state.settings.maxRank), groups[byRank].at,
+            fmt::format("the setting max_rank = {}", state.settings.maxRank)};
+  return {most.source, most.curve, most.finest, most.at, nameOf(domain, most.source, most.curve)};
+}
+
+Error tooManyTriangles(const MeshState& state) {
+  const Estimate estimate = estimateOf(state);
+  const Asker asker = askerOf(state);
+  // A tree that outgrows the limit is given up before its cells are classified.
+  const std::string size =
+      classified(state.tree)
+          ? fmt::format("about {} triangles by the estimate of Table 1", roughCount(estimate.triangles))
+          : fmt::format("at least {} triangles, or as many cells in its quadtree", roughCount(estimate.triangles));
+  return {.message = fmt::format(
+              "the mesh would have {}, and take {} of memory, but max_triangles is {}; most are asked "
+              "for by {}, for edges of length {}",
+              size, bytesText(estimate.bytes), state.settings.maxTriangles, asker.name, compact(asker.length)),
+          .hint = hintOf(state, asker),
+          .file = state.domain->file,
+          .at = asker.at};
+}
+
+}  // namespace triscope

@@ -1,0 +1,65 @@
+#include "core/run/quality_trace.h"
+
+#include <algorithm>
+
+#include "core/mesh/change_log.h"
+#include "core/method/pipeline.h"
+
+namespace triscope {
+
+void QualityTrace::forgetAfter(std::uint64_t tick) {
+  std::erase_if(samples_, [tick](const QualitySample& s) { return s.tick > tick; });
+  if (samples_.empty()) stride_ = 8;
+  replay_.reset();
+}
+
+QualityTrace QualityTrace::upTo(std::uint64_t tick) const {
+  QualityTrace trace;
+  trace.samples_ = samples_;
+  trace.stride_ = stride_;
+  trace.forgetAfter(tick);
+  return trace;
+}
+
+bool QualityTrace::carryOn(const History& history, std::uint64_t end, const std::function<bool()>& enough) {
+  constexpr std::uint64_t kBetweenLooks = 64;
+  const std::uint64_t last = samples_.empty() ? 0 : samples_.back().tick;
+  if (last >= end) return false;
+  if (!replay_) {
+    replay_.emplace(Replay{history.stateBefore(last), {}});
+    replay_->quality.reset(replay_->state.mesh);
+  }
+  MeshState& state = replay_->state;
+  ChangeLog changes;
+  Journal deaf;
+  while (state.tick < end) {
+    const std::uint64_t next = std::min(end, samples_.empty() ? stride_ : samples_.back().tick + stride_);
+    if (state.tick >= next || !advanceAPiece(state, deaf)) break;
+    if (state.tick >= next) {
+      replay_->quality.update(state.mesh, changes.slots);
+      changes.slots.clear();
+      sample(*replay_);
+    }
+    if (state.tick % kBetweenLooks == 0 && enough()) break;
+  }
+  replay_->quality.update(state.mesh, changes.slots);
+  return state.tick < end;
+}
+
+void QualityTrace::sample(const Replay& replay) {
+  const RunningQuality& quality = replay.quality;
+  QualitySample sample{replay.state.tick,
+                       static_cast<std::uint32_t>(quality.triangles()),
+                       static_cast<std::uint32_t>(quality.obtuse()),
+                       {}};
+  for (int m = 0; m < kMeasureCount; ++m)
+    sample.worst[static_cast<std::size_t>(m)] = static_cast<float>(quality.worst(static_cast<Measure>(m)));
+  samples_.push_back(sample);
+  if (samples_.size() < kMostSamples) return;
+  std::size_t kept = 0;
+  for (std::size_t k = 1; k < samples_.size(); k += 2) samples_[kept++] = samples_[k];
+  samples_.resize(kept);
+  stride_ *= 2;
+}
+
+}  // namespace triscope

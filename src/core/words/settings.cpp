@@ -1,0 +1,168 @@
+#include "core/words/settings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "core/base/number.h"
+
+namespace triscope {
+namespace {
+
+constexpr double kLongest = 1e300;      // any finite length
+constexpr double kMostTriangles = 5e8;  // half-edges and ids are counted in 32 bits
+
+constexpr std::array kTable{
+    SettingInfo{"min_edge_length", "Δx", "smallest edge", "length", &Settings::minEdge, 0.0, kLongest, 0.0, 0.0,
+                Stage::constraints,
+                "No edge is meant to be shorter; 0 takes the domain file's, or derives it from the geometry."},
+    SettingInfo{"curvature_turn", "", "turn of one edge on a curve", "deg", &Settings::curvatureTurn, 1.0, 120.0, 0.0,
+                0.0, Stage::constraints, "An edge on a curved boundary may span at most this much turning."},
+    SettingInfo{
+        "corner_turn", "", "turn that makes a corner extreme", "deg", &Settings::cornerTurn, 0.0, 180.0, 0.0, 0.0,
+        Stage::constraints,
+        "Where the boundary turns into the domain by more than this at a kept point, density has an extreme point."},
+    SettingInfo{"gap_fraction", "", "edge length across a gap", "gap width", &Settings::gapFraction, 0.01, 10.0, 0.0,
+                0.0, Stage::constraints,
+                "Where two boundary pieces face each other, edges are this fraction of the distance between them."},
+    SettingInfo{"max_rank", "i", "coarsest density rank", "rank", &Settings::maxRank, 1.0, 96.0, 0.0, 0.0,
+                Stage::constraints, "No cell is given a density rank above this, so no edge grows beyond its length."},
+    SettingInfo{"max_triangles", "", "most triangles", "triangles", &Settings::maxTriangles, 1.0, kMostTriangles, 0.0,
+                0.0, Stage::quadtree,
+                "The run stops before it makes a mesh that Table 1 estimates to have more triangles than this."},
+    SettingInfo{"max_rounds", "", "budget of rounds", "rounds", &Settings::maxRounds, 1.0, 10000.0, 0.0, 0.0,
+                Stage::step2, "Steps 2 to 5 stop after this many rounds even if the last one inserted a point."},
+    SettingInfo{"step4_area_ratio", "", "step 4: area ratio it acts on", "ratio", &Settings::step4AreaRatio, 0.0, 3.0,
+                0.0, 0.0, Stage::step1,
+                "Step 4 leaves a pair alone whose area ratio is below this; 0 takes every pair, as in the paper."},
+    SettingInfo{
+        "omega", "ω", "Laplacian filter", "", &Settings::omega, 0.0, 1.0, 0.05, 0.25, Stage::refine,
+        "Part of the way toward the mean of its neighbours that the Laplacian filter moves a vertex, 24 times over."},
+    SettingInfo{"theta", "θ", "turn of an obtuse angle's sides", "deg", &Settings::theta, 0.0, 30.0, 5.0, 10.0,
+                Stage::refine, "Both sides of an obtuse angle are rotated toward each other by this angle."},
+    SettingInfo{"laplacian", "", "step 6: Laplacian filter", "on/off", &Settings::laplacian, 0.0, 1.0, 0.0, 0.0,
+                Stage::refine, "Step 6 moves vertices toward the mean of their neighbours."},
+    SettingInfo{"reduce_obtuse", "", "step 6: reduce obtuse angles", "on/off", &Settings::reduceObtuse, 0.0, 1.0, 0.0,
+                0.0, Stage::refine, "Step 6 closes obtuse angles by rotating their sides."},
+    SettingInfo{"shared_edge", "", "step 6: move shared edges", "on/off", &Settings::sharedEdge, 0.0, 1.0, 0.0, 0.0,
+                Stage::refine,
+                "Step 6 moves the edge between two unequal triangles by a tenth of the height "
+                "into the larger one."},
+    SettingInfo{"polish", "", "step 6: polish the worst", "on/off", &Settings::polish, 0.0, 1.0, 0.0, 0.0,
+                Stage::refine,
+                "Step 6 ends by trying places around the vertices of the worst and the obtuse triangles."},
+    SettingInfo{"refine_passes", "", "budget of passes of step 6", "passes", &Settings::refinePasses, 0.0, 10000.0, 0.0,
+                0.0, Stage::refine, "Step 6 stops after this many passes even if the last one moved a vertex."},
+};
+
+std::string keys() {
+  std::string list;
+  for (const SettingInfo& info : kTable) {
+    if (!list.empty()) list += ", ";
+    list += info.key;
+  }
+  return list;
+}
+
+/// "0.05 to 1", "at least 0", "on or off".
+std::string range(const SettingInfo& info) {
+  if (std::holds_alternative<bool Settings::*>(info.member)) return "on or off";
+  if (info.highest >= kLongest) return fmt::format("at least {:g}", info.lowest);
+  return fmt::format("from {:.9g} to {:.9g}", info.lowest, info.highest);
+}
+
+Error refused(const SettingInfo& info, std::string message) {
+  const double standard = settingValue(Settings{}, info);
+  const std::string text = std::holds_alternative<bool Settings::*>(info.member)
+                               ? std::string(standard != 0.0 ? "on" : "off")
+                               : fmt::format("{:.9g}", standard);
+  return Error{.code = ExitCode::usage,
+               .message = std::move(message),
+               .hint = fmt::format("give {} (default {})", range(info), text)};
+}
+
+std::optional<double> parseNumber(std::string_view text) {
+  double value = 0.0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, failure] = std::from_chars(text.data(), last, value);
+  if (failure != std::errc{} || stop != last || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> parseSwitch(std::string_view text) {
+  for (const std::string_view word : {"1", "true", "on", "yes"})
+    if (text == word) return 1.0;
+  for (const std::string_view word : {"0", "false", "off", "no"})
+    if (text == word) return 0.0;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::span<const SettingInfo> settingTable() { return kTable; }
+
+const SettingInfo* findSetting(std::string_view key) {
+  for (const SettingInfo& info : kTable)
+    if (info.key == key) return &info;
+  return nullptr;
+}
+
+bool refines(const Settings& settings) {
+  return settings.laplacian || settings.reduceObtuse || settings.sharedEdge || settings.polish;
+}
+
+Stage firstAffected(const Settings& a, const Settings& b) {
+  Stage first = Stage::finished;
+  for (const SettingInfo& info : settingTable())
+    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
+  // Whether step 6 is entered at all is decided when the stage before it ends.
+  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
+}
+
+double settingValue(const Settings& settings, const SettingInfo& info) {
+  return std::visit([&](const auto member) { return static_cast<double>(settings.*member); }, info.member);
+}
+
+bool outsidePaper(const SettingInfo& info, double value) {
+  return info.paperLow < info.paperHigh && (value < info.paperLow || value > info.paperHigh);
+}
+
+std::string_view settingName(const SettingInfo& info) { return info.symbol.empty() ? info.label : info.symbol; }
+
+std::string settingText(const SettingInfo& info, double value) {
+  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
+  if (info.unit == "length" && value == 0.0) return "auto";
+  return compact(value, 4) + (info.unit == "deg" ? "°" : "");
+}
+
+Status setSetting(Settings& settings, std::string_view key, std::string_view value) {
+  const SettingInfo* const info = findSetting(key);
+  if (info == nullptr)
+    return Error{.code = ExitCode::usage,
+                 .message = fmt::format("there is no setting '{}'", key),
+                 .hint = fmt::format("the settings are {}", keys())};
+  const bool isSwitch = std::holds_alternative<bool Settings::*>(info->member);
+  const std::optional<double> number = isSwitch ? parseSwitch(value) : parseNumber(value);
+  if (!number)
+    return refused(*info,
+                   fmt::format("'{}' is no {} for the setting '{}'", value, isSwitch ? "switch" : "number", key));
+  return setSetting(settings, *info, *number);
+}
+
+Status setSetting(Settings& settings, const SettingInfo& info, double value) {
+  const bool inRange = value >= info.lowest && value <= info.highest;  // NaN is not
+  if (!inRange) return refused(info, fmt::format("{:g} is out of range for the setting '{}'", value, info.key));
+  if (!std::holds_alternative<double Settings::*>(info.member) && value != std::floor(value))
+    return refused(info, fmt::format("the setting '{}' takes whole numbers, not {:g}", info.key, value));
+  if (const auto* const real = std::get_if<double Settings::*>(&info.member)) settings.*(*real) = value;
+  if (const auto* const whole = std::get_if<int Settings::*>(&info.member))
+    settings.*(*whole) = static_cast<int>(value);
+  if (const auto* const flag = std::get_if<bool Settings::*>(&info.member)) settings.*(*flag) = value != 0.0;
+  return success();
+}
+
+}  // namespace triscope

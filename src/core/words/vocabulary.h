@@ -1,0 +1,100 @@
+// What an event says, one row for each kind, rule and refusal: what its numbers are ids of, what it does, how it is
+// drawn and how it is put into words. Captions, event files, answers, conditions, pictures and legends read these rows;
+// a new kind or rule is a row here and what its picture needs.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/words/event.h"
+
+namespace triscope {
+
+/// What a number of an event is an id, an index or a count of.
+enum class Names : std::uint8_t {
+  nothing,
+  triangle,
+  vertex,
+  cell,
+  constraint,
+  curve,
+  boundary_edge,
+  boundary_point,
+  changes,
+};
+
+/// What a decision is drawn as.
+enum class Picture : std::uint8_t { none, place, cell, insertion, refusal, move, removal, carved, failure };
+
+/// What a decision does, bit by bit.
+enum Does : std::uint8_t {
+  kInserts = 1,   // a point
+  kMoves = 2,     // a vertex
+  kRemoves = 4,   // a vertex or a triangle
+  kSplits = 8,    // a cell or a boundary edge
+  kProposes = 16  // carries out or refuses what a rule proposed for a triangle, or for one of its corners
+};
+
+struct KindWords {
+  std::string_view name = {};      // "vertex inserted"
+  Names subject = Names::nothing;  // Event::subject
+  Names other = Names::nothing;    // Event::other, where the rule does not say
+  Names created = Names::nothing;  // Event::created and those after it
+  int does = 0;                    // bits of Does
+  bool placed = false;             // Event::at is where the decision was made
+  Picture picture = Picture::none;
+  std::string_view caption = {};  // a template: fields.h
+};
+
+/// Where a rule stands in the method.
+enum class Family : std::uint8_t { none, source, neighbour, boundary, front, step, repair, move };
+
+struct RuleWords {
+  std::string_view name = {};         // "step 3"
+  std::string_view description = {};  // "circumradius R not below the shortest edge e": what was found true
+  Family family = Family::none;
+  Names other = Names::nothing;    // Event::other
+  std::string_view reason = {};    // the description with an event's own figures, a template
+  std::string_view limit = {};     // what the limit of a step is
+  std::string_view inserted = {};  // caption of a point that it put in, a template
+  std::string_view refused = {};   // caption of one that was refused, a template
+  std::string_view silent = {};    // what was true of a triangle that it had a look at and proposed nothing for
+  bool ofVertices = false;         // proposes for vertices, not for triangles
+};
+
+struct RefusalWords {
+  std::string_view name = {};         // "too close"
+  std::string_view description = {};  // "the point is nearer to another vertex than allowed"
+  std::string_view figures = {};      // what it was held against, a template
+};
+
+const KindWords& wordsOf(EventKind kind);
+const RuleWords& wordsOf(Rule rule);
+const RefusalWords& wordsOf(Refusal refusal);
+
+inline std::string_view name(EventKind kind) { return wordsOf(kind).name; }
+inline std::string_view name(Rule rule) { return wordsOf(rule).name; }
+inline std::string_view name(Refusal refusal) { return wordsOf(refusal).name; }
+inline std::string_view describe(Rule rule) { return wordsOf(rule).description; }
+inline std::string_view describe(Refusal refusal) { return wordsOf(refusal).description; }
+
+/// True when the decision does all that the bits of Does say.
+inline bool does(const Event& event, int bits) { return (wordsOf(event.kind).does & bits) == bits; }
+
+/// What Event::other is an id of.
+Names otherOf(const Event& event);
+
+/// An id, and what it is an id of.
+struct Named {
+  Names what = Names::nothing;
+  std::uint32_t id = kNoId;
+};
+
+/// What the decision followed from: the triangle that it was proposed for, the vertex of a front, the cell or the
+/// constraint that asked for it. Nothing where the event does not say.
+Named originOf(const Event& event);
+
+/// True when the event puts its vertex at Event::at.
+bool placesVertex(const Event& event);
+
+}  // namespace triscope
