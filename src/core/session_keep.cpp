@@ -19,6 +19,7 @@ bool SessionWorker::startOver(std::shared_ptr<const Domain> domain, const Settin
   probe.domain = domain;
   const Activity before = std::exchange(activity_, Activity::meshing);
   goalSince_ = Clock::now();
+  publishBeginning(probe, 0.0);
   Result<MeshState> begun =
       begin(std::move(domain), settings, [&](double fraction) { return tellOfDeriving(probe, fraction); });
   activity_ = before;

@@ -25,6 +25,11 @@ std::string unmetIn(const MeshState& state) {
   return {};
 }
 
+bool opens(const Command& order) {
+  return std::holds_alternative<command::OpenFile>(order) || std::holds_alternative<command::OpenDomain>(order) ||
+         std::holds_alternative<command::Load>(order);
+}
+
 }  // namespace
 
 void SessionWorker::carryOut(const Command& order) {
@@ -60,10 +65,8 @@ void SessionWorker::carryOut(const Command& order) {
     void operator()(const command::Pause&) const { w.halt(); }
     void operator()(const command::Cancel&) const { w.cancel(); }
   };
-  const bool opens = std::holds_alternative<command::OpenFile>(order) ||
-                     std::holds_alternative<command::OpenDomain>(order) || std::holds_alternative<command::Load>(order);
-  const bool always =
-      opens || std::holds_alternative<command::SetBreakpoints>(order) || std::holds_alternative<command::Change>(order);
+  const bool always = opens(order) || std::holds_alternative<command::SetBreakpoints>(order) ||
+                      std::holds_alternative<command::Change>(order);
   if (!loaded_ && !always)
     publishProgress();  // nothing to work on yet
   else
@@ -79,6 +82,18 @@ void SessionWorker::open(std::shared_ptr<const Domain> domain) {
   const std::string kept = differencesText(differences(Settings{}, settings), &SettingDifference::b);
   if (another && !kept.empty()) notice_ = fmt::format("Kept from the domain before: {}. Params sets it back.", kept);
   head({.kind = Goal::Kind::end}, Activity::meshing);
+}
+
+bool SessionWorker::supersedes(bool opening) {
+  const auto supersede = [&](const Command& order) {
+    if (std::holds_alternative<command::SetBreakpoints>(order)) return false;
+    if (std::holds_alternative<command::Pause>(order)) return false;
+    if (std::holds_alternative<command::Change>(order)) return !opening;
+    // A step is of the run from before, or of the one to come where there is none.
+    return loaded_ || opens(order) || std::holds_alternative<command::Cancel>(order);
+  };
+  const std::lock_guard lock(mutex_);
+  return quit_ || std::any_of(inbox_.begin(), inbox_.end(), supersede);
 }
 
 void SessionWorker::load(const command::Load& what) {

@@ -323,9 +323,22 @@ void SessionWorker::publishSearch(const MeshState& probe, std::optional<double> 
 }
 
 bool SessionWorker::tellOfDeriving(const MeshState& probe, double fraction) {
-  if (interrupt_.load(std::memory_order_relaxed)) return false;
-  if (Clock::now() - lastPublished_ >= kLongStep) publishSearch(probe, fraction);
+  if (interrupt_.load(std::memory_order_relaxed) && supersedes(probe.domain != state_.domain)) return false;
+  if (Clock::now() - lastPublished_ >= kLongStep) publishBeginning(probe, fraction);
   return true;
+}
+
+void SessionWorker::publishBeginning(const MeshState& probe, double fraction) {
+  {
+    const std::lock_guard lock(mutex_);
+    Publication& news = outbox();
+    news.progress = progressAt(probe);
+    news.progress.fraction = fraction;
+    news.settings = probe.settings;
+    news.domain = probe.domain;
+  }
+  lastPublished_ = Clock::now();
+  if (wake_) wake_();
 }
 
 void SessionWorker::publishState() {

@@ -150,6 +150,9 @@ class SessionWorker {
   void publishProgress();
   /// Tells how far the search for Δx is; false when a command waits.
   bool tellOfDeriving(const MeshState& probe, double fraction);
+  /// Whether a command waits that takes the place of what is being begun; the others are for what comes of it.
+  bool supersedes(bool opening);
+  void publishBeginning(const MeshState& probe, double fraction);
   void publishSearch(const MeshState& probe, std::optional<double> fraction);
   [[nodiscard]] Progress progressAt(const MeshState& state) const;
   Publication& outbox();
