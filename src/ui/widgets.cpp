@@ -182,13 +182,25 @@ void endFloating() {
   ImGui::PopStyleVar();
 }
 
+namespace {
+
+constexpr double kAroundDialog = 24.0;  // pixels at 100 %: what is seen of the window beside a dialog, on both sides
+constexpr double kDialogPadding = 14.0;
+
+}  // namespace
+
+float dialogRoom(const View& view) {
+  const float frame = ImGui::GetFrameHeight() + 2.0f * view.px(kDialogPadding) + 2.0f;  // title, padding, border
+  return std::max(0.0f, ImGui::GetIO().DisplaySize.y - view.px(kAroundDialog) - frame);
+}
+
 bool beginDialog(const View& view, const char* title, double width) {
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float wide = std::min(view.px(width), screen.x - view.px(24));
+  const float wide = std::min(view.px(width), screen.x - view.px(kAroundDialog));
   ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, screen.y - view.px(24)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {view.px(16), view.px(14)});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, screen.y - view.px(kAroundDialog)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {view.px(16), view.px(kDialogPadding)});
   const bool open = ImGui::BeginPopupModal(
       title, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar();

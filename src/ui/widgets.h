@@ -55,5 +55,7 @@ void endFloating();
 
 /// Begins a modal dialog of this width (at 100 %), in the middle of the window. Call ImGui::EndPopup() when true.
 bool beginDialog(const View& view, const char* title, double width);
+/// Height of what a dialog can hold at most without a scroll bar.
+float dialogRoom(const View& view);
 
 }  // namespace triscope

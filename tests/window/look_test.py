@@ -221,6 +221,26 @@ class Room(harness.WindowTest):
         window.wait(lambda s: "tab.Why" in s["widgets"], "the column again")
 
 
+class Low(harness.WindowTest):
+    """A small screen with large letters."""
+
+    screen = (1280, 720)
+
+    def setUp(self):
+        super().setUp()
+        for _ in range(4):
+            self.window.key("ctrl+equal")
+        self.window.wait(lambda s: s["scale"] == 2, "the scale")
+        self.window.settled()
+
+    def test_the_open_dialog_is_in_sight_from_its_heading_on(self):
+        window = self.window
+        window.key("ctrl+o")
+        self.assertGreater(window.widget_box("open.samples")[1], 60)  # its title ends there
+        _, top, _, height = window.widget_box("open.close")
+        self.assertLess(top + height, 720)
+
+
 class MonitorScale(unittest.TestCase):
     def test_the_window_fits_on_the_screen(self):
         """A monitor that asks for 200 % enlarges the window, but not beyond itself."""
