@@ -240,6 +240,13 @@ class Low(harness.WindowTest):
         _, top, _, height = window.widget_box("open.close")
         self.assertLess(top + height, 720)
 
+    def test_the_example_of_a_condition_is_not_cut(self):
+        window = self.window
+        window.key("ctrl+b")
+        x, y, width, height = window.widget_box("break.condition")
+        at_its_end = window.image().colors(x + width - 12, y + 10, 8, height - 20)
+        self.assertEqual(len(at_its_end), 1, "letters")
+
 
 class MonitorScale(unittest.TestCase):
     def test_the_window_fits_on_the_screen(self):
