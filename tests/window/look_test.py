@@ -247,6 +247,20 @@ class Low(harness.WindowTest):
         at_its_end = window.image().colors(x + width - 12, y + 10, 8, height - 20)
         self.assertEqual(len(at_its_end), 1, "letters")
 
+    def test_the_name_of_a_constraint_stays_in_the_picture(self):
+        window = self.window
+        for at in ([16, 0], [16, 4], [8, 4]):
+            wish = {"at": at, "length": 0.5, "name": "the far end of the plate"}
+            self.open("plate.json", {"name": "plate", "outer": [[0, 0], [16, 0], [16, 4], [0, 4]], "density": [wish]})
+            window.settled()
+            if not window.state()["layers"]["constraints"]:
+                window.key("k")
+            window.key("Home")
+            x, y, width, height = window.widget_box("wish.the far end of the plate, h 0.5")
+            left, top, wide, high = window.canvas()
+            self.assertTrue(left <= x and x + width <= left + wide, at)
+            self.assertTrue(top <= y and y + height <= top + high, at)
+
 
 class MonitorScale(unittest.TestCase):
     def test_the_window_fits_on_the_screen(self):
