@@ -16,14 +16,38 @@ void note(const View& view, std::string_view name, bool enabled) {
   if (hi.x > lo.x && hi.y > lo.y && lo.x + hi.x > 0.0f) view.widgets->push_back({std::string(name), lo, hi, enabled});
 }
 
-void tip(const View& view, const std::string& text) {
-  if (text.empty() || view.ui.tipsWait || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+namespace {
+
+void tooltip(const View& view, const std::string& text) {
   if (view.tooltip != nullptr) *view.tooltip = text;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(view.px(340));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
+  if (view.widgets != nullptr) {
+    const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    view.widgets->push_back({"tooltip", lo, {lo.x + size.x, lo.y + size.y}, true});
+  }
   ImGui::EndTooltip();
+}
+
+bool wantsTip(const View& view, const std::string& text) {
+  return !text.empty() && !view.ui.tipsWait && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+}  // namespace
+
+void tip(const View& view, const std::string& text) {
+  if (wantsTip(view, text)) tooltip(view, text);
+}
+
+void tipAbove(const View& view, const std::string& text) {
+  if (!wantsTip(view, text)) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  // As far over to the right as the mouse is across the window: so it never leaves it.
+  const float across = mouse.x / ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({mouse.x, ImGui::GetItemRectMin().y - view.px(4)}, ImGuiCond_Always, {across, 1.0f});
+  tooltip(view, text);
 }
 
 namespace {

@@ -261,6 +261,18 @@ class Low(harness.WindowTest):
             self.assertTrue(left <= x and x + width <= left + wide, at)
             self.assertTrue(top <= y and y + height <= top + high, at)
 
+    def test_what_plots_tell_covers_none_of_them(self):
+        window = self.window
+        window.key("ctrl+p")
+        for name in ("plots.run", "plots.bars"):
+            x, y, width, height = window.widget_box(name)
+            for part in (0.05, 0.95):
+                window.move(x + part * width - 2, y + height / 2)
+                window.move(x + part * width, y + height / 2)
+                left, top, wide, high = window.widget_box("tooltip")
+                self.assertLessEqual(top + high, y, (name, part))
+                self.assertTrue(left >= 0 and left + wide <= 1280, (name, part))
+
 
 class MonitorScale(unittest.TestCase):
     def test_the_window_fits_on_the_screen(self):
