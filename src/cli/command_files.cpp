@@ -18,6 +18,15 @@ NamedFile domain(const std::string& path) { return {"the domain", path}; }
 
 }  // namespace
 
+Status checkFiles(const CommandFiles& files) {
+  for (const NamedFile& output : files.outputs)
+    if (output.path == "-")
+      return Error{.code = ExitCode::usage,
+                   .message = output.what + " takes the name of a file, and '-' is none",
+                   .hint = "name a file; ./- is one called so"};
+  return checkOverwrites(files.inputs, files.outputs);
+}
+
 CommandFiles filesOf(const WindowOptions& options) {
   const bool kept = options.preferences != "none";
   return {{{"the file to open", options.file}},

@@ -13,6 +13,10 @@ struct CommandFiles {
   std::vector<NamedFile> outputs;
 };
 
+/// Refuses (usage) an output that is an input or another output, and "-": the standard output was meant, not a file
+/// called so.
+Status checkFiles(const CommandFiles& files);
+
 CommandFiles filesOf(const WindowOptions& options);
 CommandFiles filesOf(const MeshCommand& options);
 CommandFiles filesOf(const CheckCommand& options);

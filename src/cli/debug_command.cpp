@@ -127,7 +127,7 @@ ExitCode runCommand(const DebugCommand& options) {
     if (const Result<AtomicFile*> file = files.open(options.saveSession); !file.ok()) return fail(file.error());
   }
 
-  Debuggee at{.driver = Driver(), .log = {}, .progress = ProgressLine(!options.quiet)};
+  Debuggee at{.driver = {}, .log = {}, .progress = ProgressLine(!options.quiet)};
   Driver& driver = at.driver;
   driver.run = runFrom(std::move(*start));
   driver.breakpoints = std::move(*breakpoints);

@@ -27,9 +27,8 @@ ExitCode runProgram(int argc, const char* const* argv) {
   else
     code = std::visit(
         [](const auto& options) {
-          const CommandFiles files = filesOf(options);
-          const Status apart = checkOverwrites(files.inputs, files.outputs);
-          return apart.ok() ? runCommand(options) : fail(apart.error());
+          const Status files = checkFiles(filesOf(options));
+          return files.ok() ? runCommand(options) : fail(files.error());
         },
         std::get<Options>(parsed));
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -38,8 +38,8 @@ const bool heapIsLarge = [] {
   mallopt(M_TOP_PAD, kHeap);
   void* const first = std::malloc(kLargePage / 2);  // the heap grows to hold it
   const auto begin = (reinterpret_cast<std::uintptr_t>(first) + kLargePage - 1) & ~(kLargePage - 1);
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) & ~(kLargePage - 1);
   std::free(first);
+  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) & ~(kLargePage - 1);
   return begin < end && madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE) == 0;
 }();
 #endif

@@ -17,7 +17,7 @@
 namespace triscope {
 namespace {
 
-// A dialog's text field is ready for keys so many frames after the dialog was asked for.
+// A dialog is in its place, and its text field ready for keys, so many frames after the dialog was asked for.
 constexpr std::uint64_t kFramesOfOpening = 3;
 // Dear ImGui says some frames after the key which ends the typing that text is no longer wanted.
 constexpr std::uint64_t kFramesOfTypingsEnd = 4;
@@ -69,8 +69,10 @@ std::string App::start(double monitorScale) {
 bool App::takesKeys() const {
   if (ui_.debug.typeSoon > 0) return false;
   if (frames_ < typingEnds_ && ImGui::GetIO().WantTextInput) return false;
-  return dialogDrawn_ == Dialog::none || frames_ - dialogFrame_ >= kFramesOfOpening;
+  return !opensDialog();
 }
+
+bool App::opensDialog() const { return dialogDrawn_ != Dialog::none && frames_ - dialogFrame_ < kFramesOfOpening; }
 
 void App::onKey(int key, int mods) {
   // While text is typed, keys without Ctrl and those that edit text are not commands; Esc and F1 … F25 always are.

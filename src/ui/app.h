@@ -67,6 +67,8 @@ class App {
   [[nodiscard]] bool closing() const { return closing_; }
   /// True while the picture changes by itself.
   [[nodiscard]] bool animating() const { return session_.busy() || (pinned_ && pinned_->session().busy()); }
+  /// True while a dialog has not come to its place, where nothing that a person does may have opened it.
+  [[nodiscard]] bool opensDialog() const;
   /// True once a mesh is complete and nothing is under way.
   [[nodiscard]] bool settled() const { return session_.current() != nullptr && !session_.busy(); }
   [[nodiscard]] std::string title() const;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kReach = 9.0;   // pixels at 100 %
 constexpr double kHandle = 6.0;  // radius
-constexpr double kSlack = 3.0;   // a press that moves less moves nothing
+constexpr double kLabelPadding = 3.0;
+constexpr double kSlack = 3.0;  // a press that moves less moves nothing
 
 bool shown(const View& view) {
   return view.now() != nullptr && view.session.domain() != nullptr && !view.ui.document.opening &&
@@ -77,7 +78,16 @@ HandleLabel labelOf(const View& view, ImVec2 corner, const DensityRequest& reque
   label.text = request.name.empty() ? wishOf(request) : request.name + ", " + wishOf(request);
   label.size = font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, label.text.c_str());
   const ImVec2 at = onScreen(view, corner, handleOf(*view.session.domain(), request));
-  label.lo = {at.x + view.px(kHandle) + view.px(5), at.y - 0.5f * label.size.y};
+  const float away = view.px(kHandle) + view.px(5);
+  label.lo = {at.x + away, at.y - 0.5f * label.size.y};
+  const Camera& camera = view.ui.camera;
+  const ImVec2 end{corner.x + static_cast<float>(camera.width) - view.px(kLabelPadding),
+                   corner.y + static_cast<float>(camera.height)};
+  const bool seen = at.x >= corner.x && at.y >= corner.y && at.x <= end.x && at.y <= end.y;
+  if (!seen) return label;
+  if (label.lo.x + label.size.x > end.x) label.lo.x = at.x - away - label.size.x;
+  label.lo.x = std::max(label.lo.x, corner.x + view.px(kLabelPadding));
+  label.lo.y = std::clamp(label.lo.y, corner.y, std::max(corner.y, end.y - label.size.y));
   return label;
 }
 
@@ -98,9 +108,12 @@ void handle(const View& view, ImVec2 corner, const DensityRequest& request, bool
   list.AddCircleFilled(at, selected ? radius : view.px(2), ink);
   const ImFont& font = *view.fonts.small;
   const auto [text, lo, size] = labelOf(view, corner, request);
-  list.AddRectFilled({lo.x - view.px(3), lo.y - view.px(1)}, {lo.x + size.x + view.px(3), lo.y + size.y + view.px(1)},
+  const ImVec2 hi{lo.x + size.x, lo.y + size.y};
+  const float padding = view.px(kLabelPadding);
+  list.AddRectFilled({lo.x - padding, lo.y - view.px(1)}, {hi.x + padding, hi.y + view.px(1)},
                      (halo & 0x00FFFFFFu) | 0xD8000000u, view.px(3));
   list.AddText(&font, font.FontSize, lo, toImU32(view.theme().text), text.c_str());
+  if (view.widgets != nullptr) view.widgets->push_back({"wish." + text, lo, hi, true});
 }
 
 }  // namespace
@@ -148,10 +161,11 @@ std::vector<Rect> densityHandleRects(const View& view) {
   if (!shown(view)) return rects;
   for (const DensityRequest& request : view.session.domain()->density) {
     const HandleLabel label = labelOf(view, {0.0f, 0.0f}, request);
-    const double left =
-        toPixel(view.ui.camera, handleOf(*view.session.domain(), request)).x - kHandle * view.ui.scale();
-    rects.push_back({left, static_cast<double>(label.lo.y), static_cast<double>(label.lo.x + label.size.x) - left,
-                     static_cast<double>(label.size.y)});
+    const double at = toPixel(view.ui.camera, handleOf(*view.session.domain(), request)).x;
+    const double radius = kHandle * view.ui.scale();
+    const double left = std::min(at - radius, static_cast<double>(label.lo.x));
+    const double right = std::max(at + radius, static_cast<double>(label.lo.x + label.size.x));
+    rects.push_back({left, static_cast<double>(label.lo.y), right - left, static_cast<double>(label.size.y)});
   }
   return rects;
 }

@@ -93,7 +93,8 @@ void drawErrorDialog(const View& view, Orders& orders) {
 
 void drawHelpDialog(const View& view, Orders& orders) {
   if (!beginDialog(view, "Keys and mouse", 900)) return;
-  const float height = std::min(view.px(590), ImGui::GetIO().DisplaySize.y - view.px(140));
+  const float below = view.px(2) + ImGui::GetFrameHeight() + 2.0f * ImGui::GetStyle().ItemSpacing.y;  // the button
+  const float height = std::clamp(dialogRoom(view) - below, view.px(40), view.px(590));
   if (ImGui::BeginChild("help", {0.0f, height})) {
     const bool wide = ImGui::GetContentRegionAvail().x >= view.px(800);
     if (ImGui::BeginTable("columns", wide ? 2 : 1)) {

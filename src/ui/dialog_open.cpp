@@ -66,11 +66,15 @@ void OpenDialog::list(const std::string& folder) {
 
 void OpenDialog::draw(const View& view, Orders& orders) {
   if (!beginDialog(view, kTitle, 620)) return;
-  const float height = view.px(260);
+  const ImGuiStyle& style = ImGui::GetStyle();
+  // Beside the lists: what stands over them, and two rows below.
+  const float others = ImGui::GetTextLineHeight() + 2.0f * ImGui::GetFrameHeight() + 3.0f * style.ItemSpacing.y;
+  const float height = std::clamp(dialogRoom(view) - others, view.px(40), view.px(260));
   std::string wanted;  // folder to go to
 
   ImGui::BeginGroup();
   muted(view, "Samples");
+  note(view, "open.samples");
   if (ImGui::BeginChild("samples", {view.px(180), height}, true))
     for (const std::string& name : sampleNames()) {
       if (ImGui::Selectable(name.c_str())) {

@@ -122,9 +122,9 @@ void bars(const View& view, Orders& orders, const PlotFrame& f, const Histogram&
   if (brushByMouse(view, orders, h, bar)) return;
   const double low = h.low + static_cast<double>(bar) * h.width();
   const bool last = bar + 1 == h.counts.size();
-  tip(view, fmt::format("{} from {} to {}\nClick or drag to mark them in the mesh.",
-                        counted(h.counts[bar], "triangle", "triangles"), compact(low, 4),
-                        compact(last ? std::max(h.most, h.high) : low + h.width(), 4)));
+  tipAbove(view, fmt::format("{} from {} to {}\nClick or drag to mark them in the mesh.",
+                             counted(h.counts[bar], "triangle", "triangles"), compact(low, 4),
+                             compact(last ? std::max(h.most, h.high) : low + h.width(), 4)));
 }
 
 /// Of `most` counted: 1, 2, 5, 10 and so on at the heights of their square roots, those that have room between 0 and

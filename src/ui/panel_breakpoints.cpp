@@ -72,6 +72,13 @@ void complain(const View& view, const Error& error) {
   ImGui::PopStyleColor();
 }
 
+/// An example of a condition, the longest that a field of this width can show whole.
+const char* exampleWithin(float width) {
+  for (const char* const example : {"aspect > 4 and stage == refine", "stage == refine", "aspect > 4"})
+    if (ImGui::CalcTextSize(example).x + 2.0f * ImGui::GetStyle().FramePadding.x <= width) return example;
+  return "";
+}
+
 void typed(const View& view, Orders& orders) {
   const DebugUi& debug = view.ui.debug;
   order::TypeCondition edit{debug.condition, debug.action};
@@ -79,13 +86,14 @@ void typed(const View& view, Orders& orders) {
                     4.0f * ImGui::GetStyle().FramePadding.x + view.px(84) + 3.0f * ImGui::GetStyle().ItemSpacing.x;
   const float room = ImGui::GetContentRegionAvail().x;
   const bool oneRow = room - add >= view.px(120);
-  ImGui::SetNextItemWidth(oneRow ? room - add : room);
+  const float width = oneRow ? room - add : room;
+  ImGui::SetNextItemWidth(width);
   if (debug.typeSoon > 0) {
     ImGui::SetWindowFocus();
     ImGui::SetKeyboardFocusHere();
   }
-  const bool entered = ImGui::InputTextWithHint("##condition", "aspect > 4 and stage == refine", &edit.text,
-                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##condition", exampleWithin(width), &edit.text, ImGuiInputTextFlags_EnterReturnsTrue);
   note(view, "break.condition");
   if (entered && !edit.text.empty() && !Condition::compile(edit.text)) ImGui::SetKeyboardFocusHere(-1);  // to mend it
   if (!ImGui::IsItemActive())

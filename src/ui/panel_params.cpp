@@ -88,11 +88,14 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     muted(view, label);
     const bool automatic = isLength(info) && before == 0.0;
     if (automatic && state != nullptr) value = state->minEdge;
+    const bool possible = state != nullptr || !isLength(info);
     ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(102)));
+    ImGui::BeginDisabled(!possible);
     held = changed = number(info, value, span);
     letGo = ImGui::IsItemDeactivated();
-    note(view, name);
-    tip(view, helpOf(info, span));
+    ImGui::EndDisabled();
+    note(view, name, possible);
+    tip(view, possible ? helpOf(info, span) : "Not now: a length belongs to a domain, and there is none yet.");
     const std::string unit = automatic ? "auto" : std::string(info.unit);
     if (!unit.empty()) {
       ImGui::SameLine();

@@ -181,7 +181,7 @@ void alongRun(const View& view, Orders& orders) {
     std::string figures;
     if (sample && sample->triangles > 0)
       figures = fmt::format(": {} {}{}", series.name, compact(series.value(*sample), 4), sampledBefore(*sample, tick));
-    tip(view, fmt::format("Decision {}{}\nClick to go there.", grouped(tick), figures));
+    tipAbove(view, fmt::format("Decision {}{}\nClick to go there.", grouped(tick), figures));
   }
 }
 

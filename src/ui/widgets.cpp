@@ -16,14 +16,38 @@ void note(const View& view, std::string_view name, bool enabled) {
   if (hi.x > lo.x && hi.y > lo.y && lo.x + hi.x > 0.0f) view.widgets->push_back({std::string(name), lo, hi, enabled});
 }
 
-void tip(const View& view, const std::string& text) {
-  if (text.empty() || view.ui.tipsWait || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+namespace {
+
+void tooltip(const View& view, const std::string& text) {
   if (view.tooltip != nullptr) *view.tooltip = text;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(view.px(340));
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
+  if (view.widgets != nullptr) {
+    const ImVec2 lo = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    view.widgets->push_back({"tooltip", lo, {lo.x + size.x, lo.y + size.y}, true});
+  }
   ImGui::EndTooltip();
+}
+
+bool wantsTip(const View& view, const std::string& text) {
+  return !text.empty() && !view.ui.tipsWait && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+}
+
+}  // namespace
+
+void tip(const View& view, const std::string& text) {
+  if (wantsTip(view, text)) tooltip(view, text);
+}
+
+void tipAbove(const View& view, const std::string& text) {
+  if (!wantsTip(view, text)) return;
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  // As far over to the right as the mouse is across the window: so it never leaves it.
+  const float across = mouse.x / ImGui::GetIO().DisplaySize.x;
+  ImGui::SetNextWindowPos({mouse.x, ImGui::GetItemRectMin().y - view.px(4)}, ImGuiCond_Always, {across, 1.0f});
+  tooltip(view, text);
 }
 
 namespace {
@@ -182,13 +206,25 @@ void endFloating() {
   ImGui::PopStyleVar();
 }
 
+namespace {
+
+constexpr double kAroundDialog = 24.0;  // pixels at 100 %: what is seen of the window beside a dialog, on both sides
+constexpr double kDialogPadding = 14.0;
+
+}  // namespace
+
+float dialogRoom(const View& view) {
+  const float frame = ImGui::GetFrameHeight() + 2.0f * view.px(kDialogPadding) + 2.0f;  // title, padding, border
+  return std::max(0.0f, ImGui::GetIO().DisplaySize.y - view.px(kAroundDialog) - frame);
+}
+
 bool beginDialog(const View& view, const char* title, double width) {
   if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float wide = std::min(view.px(width), screen.x - view.px(24));
+  const float wide = std::min(view.px(width), screen.x - view.px(kAroundDialog));
   ImGui::SetNextWindowPos({0.5f * screen.x, 0.5f * screen.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, screen.y - view.px(24)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {view.px(16), view.px(14)});
+  ImGui::SetNextWindowSizeConstraints({wide, 0.0f}, {wide, screen.y - view.px(kAroundDialog)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {view.px(16), view.px(kDialogPadding)});
   const bool open = ImGui::BeginPopupModal(
       title, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
   ImGui::PopStyleVar();

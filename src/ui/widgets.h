@@ -15,6 +15,8 @@ namespace triscope {
 void note(const View& view, std::string_view name, bool enabled = true);
 /// Tooltip of the last item, shown for disabled ones too; not while one works by keys.
 void tip(const View& view, const std::string& text);
+/// The same above the item instead of beside the mouse, where it would cover what one looks at.
+void tipAbove(const View& view, const std::string& text);
 
 /// Width of a button with an icon; buttons are narrower in a low window, where one row of them must do.
 float iconButtonWidth(const View& view);
@@ -55,5 +57,7 @@ void endFloating();
 
 /// Begins a modal dialog of this width (at 100 %), in the middle of the window. Call ImGui::EndPopup() when true.
 bool beginDialog(const View& view, const char* title, double width);
+/// Height of what a dialog can hold at most without a scroll bar.
+float dialogRoom(const View& view);
 
 }  // namespace triscope

@@ -127,7 +127,7 @@ GLFWwindow* makeWindow() {
 
 /// Sleeps until something happens; a running method and a blinking caret make things happen by themselves.
 void waitForWork(const LoopState& loop) {
-  if (loop.framesWanted > 0)
+  if (loop.framesWanted > 0 || loop.app->opensDialog())
     glfwPollEvents();
   else if (loop.app->animating())
     glfwWaitEventsTimeout(kRunningWait);
@@ -172,7 +172,7 @@ int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& 
   while (glfwWindowShouldClose(window) == GLFW_FALSE && !app.closing()) {
     waitForWork(loop);
     if (app.poll()) loop.framesWanted = std::max(loop.framesWanted, 1);
-    if (app.animating()) loop.framesWanted = std::max(loop.framesWanted, 1);
+    if (app.animating() || app.opensDialog()) loop.framesWanted = std::max(loop.framesWanted, 1);
     if (ImGui::GetIO().WantTextInput) loop.framesWanted = std::max(loop.framesWanted, 1);
     if (!options.screenshot.empty()) loop.framesWanted = kFramesAfterEvent;
     if (std::string now = app.title(); now != title) {

@@ -19,10 +19,10 @@ OK, UNMET, USAGE, BAD_DATA, NO_INPUT, NO_MEMORY, CANNOT_WRITE, CANCELLED, TERMIN
 LONG_RUN = ["--set", "min_edge_length=0.00002"]
 
 
-def run(*arguments, env=None, timeout=120):
+def run(*arguments, env=None, timeout=120, cwd=None):
     """Runs the program without a terminal; returns the finished process with text in stdout and stderr."""
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
-                          stdin=subprocess.DEVNULL, env={**os.environ, **(env or {})}, check=False)
+                          stdin=subprocess.DEVNULL, env={**os.environ, **(env or {})}, cwd=cwd, check=False)
 
 
 def run_within(megabytes, *arguments):

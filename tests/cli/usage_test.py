@@ -83,6 +83,16 @@ class Refused(program.ProgramTest):
             self.assertIn("a.xyz", error)
             self.assertIn(".svg", error)
 
+    def test_no_file_is_called_minus(self):
+        ranges = ("--omega", "0.1", "--theta", "7")
+        for option, command in (("-o", ("mesh", STEP)), ("--report", ("mesh", STEP)), ("--events", ("mesh", STEP)),
+                                ("-o", ("figure", STEP)), ("-o", ("sweep", STEP, *ranges)),
+                                ("--save-session", ("debug", STEP)), ("--screenshot", (STEP,)),
+                                ("--state-file", (STEP,)), ("--preferences", (STEP,))):
+            error = self.expect(USAGE, run(*command, option, "-", cwd=self.folder)).stderr
+            self.assertIn(f"{option} takes the name of a file", error)
+            self.assertEqual(self.files(), [])
+
     def test_extension_is_refused_before_the_domain_is_read(self):
         self.refused("mesh", "no such file.json", "-o", self.path("a.xyz"))
 

@@ -17,6 +17,7 @@ struct Pumped {
 
   Pumped() {
     work.interrupted = [] { return false; };
+    work.waits = [](const CommandTest&) { return false; };
     work.tell = [this](Publication news) {
       ++tellings;
       if (news.snapshot) {

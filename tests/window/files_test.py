@@ -98,6 +98,29 @@ class Files(harness.WindowTest):
         self.window.key("m")
         self.window.wait(lambda s: "Bookmark at decision" in s["message"], "what M did")
 
+    def test_a_change_with_no_domain_open_is_for_the_next_one(self):
+        window = harness.Window(self.display, self.write("broken.json", "{"))
+        self.addCleanup(window.close)
+        before = window.wait(lambda s: s["dialog"] == "error", "the error")["settings"]["omega"]
+        window.click("dialog.close")
+        window.click("tab.Params")
+        x, y, width, height = window.widget_box("param.omega")
+        place = window.widget("param.min_edge_length")
+        self.assertFalse(window.state()["widgets"]["param.min_edge_length"][4])
+        window.move(place[0] + 1, place[1])
+        window.move(*place)
+        window.wait(lambda s: "there is none yet" in s["tooltip"], "the reason")
+        window.drag(x + 0.3 * width, y + height / 2, x + 0.9 * width, y + height / 2)
+        omega = window.wait(lambda s: s["settings"]["omega"] != before and s["undo"] == 1, "the change")["settings"]["omega"]
+        window.key("ctrl+z")
+        window.wait(lambda s: s["settings"]["omega"] == before and s["undo"] == 0, "it to be taken back")
+        window.key("ctrl+y")
+        window.wait(lambda s: s["settings"]["omega"] == omega, "it to be there again")
+        window.open_by_dialog(self.write("square.json", SQUARE))
+        state = window.wait(lambda s: s.get("domain") == "square" and s["activity"] == "idle", "the square")
+        self.assertEqual((state["settings"]["omega"], state["undo"]), (omega, 0))
+        self.assertTrue(window.enabled("param.min_edge_length"))
+
     def test_dialog_opens_a_path_and_a_sample(self):
         path = self.write("square.json", SQUARE)
         self.window.key("ctrl+o")

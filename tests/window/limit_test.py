@@ -1,5 +1,6 @@
 """A run that would make more triangles than max_triangles asks first, and says beforehand what it estimates."""
 
+import resource
 import unittest
 
 import harness
@@ -7,6 +8,7 @@ from keys_test import chord
 
 SMALL = {"name": "small", "outer": [[0, 0], [8, 0], [8, 8], [0, 8]], "min_edge_length": 0.5,
          "density": [{"box": [[0, 0], [8, 8]], "length": 0.5}]}
+LARGE = dict(SMALL, name="large", min_edge_length=0.007, density=[{"box": [[0, 0], [8, 8]], "length": 0.007}])
 
 
 class Limit(harness.WindowTest):
@@ -27,6 +29,28 @@ class Limit(harness.WindowTest):
         window.key("ctrl+a")
         window.type(str(value))
         window.key("Return")
+
+    def test_one_that_memory_does_not_suffice_for_is_given_up(self):
+        window = self.window
+        before = window.settled()
+        with open(f"/proc/{window.process.pid}/statm", encoding="utf-8") as file:
+            taken = int(file.read().split()[0]) * resource.getpagesize()
+        if taken > 1 << 40:
+            self.skipTest("under a sanitizer the program takes all memory beforehand")
+        resource.prlimit(window.process.pid, resource.RLIMIT_AS, (taken + (60 << 20), resource.RLIM_INFINITY))
+        self.open("large.json", LARGE)
+        state = window.wait(lambda s: s["dialog"] == "error" and s["activity"] == "idle", "the error", timeout=120)
+        self.assertIn("not enough memory", state["error"])
+        self.assertEqual((state["hash"], state["settings"]), (before["hash"], before["settings"]))
+        # It is seen without a key or a move of the mouse.
+        self.assertGreater(window.widget_box("dialog.close")[0], 300)
+        window.click("dialog.close")
+        # What it took is there for the run from before.
+        for action, end in (("restart", 0), ("to_end", before["tick"])):
+            window.key(chord(window.state()["keys"][action][0]))
+            state = window.wait(lambda s: s["tick"] == end and s["activity"] == "idle", action)
+            self.assertEqual(state["dialog"], "none")
+        self.assertEqual(state["hash"], before["hash"])
 
     def test_stopped_where_it_is_it_does_not_ask_again(self):
         window = self.window

@@ -221,6 +221,59 @@ class Room(harness.WindowTest):
         window.wait(lambda s: "tab.Why" in s["widgets"], "the column again")
 
 
+class Low(harness.WindowTest):
+    """A small screen with large letters."""
+
+    screen = (1280, 720)
+
+    def setUp(self):
+        super().setUp()
+        for _ in range(4):
+            self.window.key("ctrl+equal")
+        self.window.wait(lambda s: s["scale"] == 2, "the scale")
+        self.window.settled()
+
+    def test_the_open_dialog_is_in_sight_from_its_heading_on(self):
+        window = self.window
+        window.key("ctrl+o")
+        self.assertGreater(window.widget_box("open.samples")[1], 60)  # its title ends there
+        _, top, _, height = window.widget_box("open.close")
+        self.assertLess(top + height, 720)
+
+    def test_the_example_of_a_condition_is_not_cut(self):
+        window = self.window
+        window.key("ctrl+b")
+        x, y, width, height = window.widget_box("break.condition")
+        at_its_end = window.image().colors(x + width - 12, y + 10, 8, height - 20)
+        self.assertEqual(len(at_its_end), 1, "letters")
+
+    def test_the_name_of_a_constraint_stays_in_the_picture(self):
+        window = self.window
+        for at in ([16, 0], [16, 4], [8, 4]):
+            wish = {"at": at, "length": 0.5, "name": "the far end of the plate"}
+            self.open("plate.json", {"name": "plate", "outer": [[0, 0], [16, 0], [16, 4], [0, 4]], "density": [wish]})
+            window.settled()
+            if not window.state()["layers"]["constraints"]:
+                window.key("k")
+            window.key("Home")
+            x, y, width, height = window.widget_box("wish.the far end of the plate, h 0.5")
+            left, top, wide, high = window.canvas()
+            self.assertTrue(left <= x and x + width <= left + wide, at)
+            self.assertTrue(top <= y and y + height <= top + high, at)
+
+    def test_what_plots_tell_covers_none_of_them(self):
+        window = self.window
+        window.key("ctrl+p")
+        for name in ("plots.run", "plots.bars"):
+            x, y, width, height = window.widget_box(name)
+            for part in (0.05, 0.95):
+                window.move(x + part * width - 2, y + height / 2)
+                window.move(x + part * width, y + height / 2)
+                left, top, wide, high = window.widget_box("tooltip")
+                self.assertLessEqual(top + high, y, (name, part))
+                self.assertTrue(left >= 0 and left + wide <= 1280, (name, part))
+
+
 class MonitorScale(unittest.TestCase):
     def test_the_window_fits_on_the_screen(self):
         """A monitor that asks for 200 % enlarges the window, but not beyond itself."""

@@ -1,12 +1,17 @@
 #include "core/mesh/remove.h"
 
+#include "core/base/assert.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
 namespace {
 
-// Corner k of the rim polygon is an ear that no other corner's circle test forbids.
+// Corner k of the rim polygon is an ear that no other corner's circle test forbids. Two corners are, as long as there
+// are four: the vertex that is gone sees every corner, as none of its edges is a wall, and so the circles of its
+// triangles hold no corner. Each side of the polygon thus has a circle that is empty of corners, and what cuts off an
+// ear has one too. Such sides are all in one Delaunay triangulation of the corners; its part within the polygon has two
+// ears.
 bool delaunayEar(const Mesh& mesh, const std::vector<std::int32_t>& polygon, std::size_t k) {
   const std::size_t n = polygon.size();
   const std::size_t before = k == 0 ? n - 1 : k - 1;
@@ -49,7 +54,7 @@ bool removeVertex(Mesh& mesh, std::int32_t vertex) {
     const std::size_t n = polygon.size();
     std::size_t ear = 0;
     while (ear < n && !delaunayEar(mesh, polygon, ear)) ++ear;
-    if (ear == n) ear = 0;  // cannot be: the star of a vertex always has a Delaunay ear
+    TRISCOPE_CHECK(ear < n, "what a vertex leaves in a Delaunay triangulation has a Delaunay ear");
     const std::size_t before = ear == 0 ? n - 1 : ear - 1;
     const std::size_t after = ear + 1 == n ? 0 : ear + 1;
     const std::int32_t slot = addTriangle(mesh, polygon[before], polygon[ear], polygon[after]);

@@ -31,8 +31,6 @@ bool hasComeTo(const MeshState& state, Stage stage) {
   return state.stage > stage || (state.stage == stage && state.cursor.begun);
 }
 
-History::History(std::size_t budget) : budget_(budget) {}
-
 void History::restart(const MeshState& start) {
   keyframes_.clear();
   keyframes_.push_back(std::make_shared<const Keyframe>(Keyframe{start, 0, bytesOf(start)}));

@@ -32,8 +32,9 @@ struct Keyframe {
 /// A copy costs next to nothing: it shares the keyframes, which never change.
 class History {
  public:
+  History() = default;
   /// `budget` is in bytes; the keyframe of the start is kept whatever the budget.
-  explicit History(std::size_t budget = std::size_t{64} << 20);
+  explicit History(std::size_t budget) : budget_(budget) {}
 
   /// Forgets everything and begins with a state at tick 0.
   void restart(const MeshState& start);
@@ -70,7 +71,7 @@ class History {
 
   std::vector<std::shared_ptr<const Keyframe>> keyframes_;  // by tick; the first is the start
   Settings settings_;                                       // in force
-  std::size_t budget_;
+  std::size_t budget_ = std::size_t{64} << 20;
   std::size_t bytes_ = 0;
   std::uint64_t spacing_ = 1024;  // decisions between keyframes at least
   std::uint64_t nextTick_ = 0;

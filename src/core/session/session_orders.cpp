@@ -52,6 +52,20 @@ void rest(SessionWork& work, std::string notice) {
   tellProgress(work);
 }
 
+bool opens(const Command& order) {
+  return std::holds_alternative<command::OpenFile>(order) || std::holds_alternative<command::OpenDomain>(order) ||
+         std::holds_alternative<command::Load>(order);
+}
+
+/// Whether a command takes the place of a run that is being begun; the others are for what comes of it.
+bool supersedes(const SessionWork& work, const Command& order, bool opening) {
+  if (std::holds_alternative<command::SetBreakpoints>(order)) return false;
+  if (std::holds_alternative<command::Pause>(order)) return false;
+  if (std::holds_alternative<command::Change>(order)) return !opening;
+  // A step is of the run from before, or of the one to come where there is none.
+  return hasBegun(work.driver.run) || opens(order) || std::holds_alternative<command::Cancel>(order);
+}
+
 /// Puts a run at its start in the place of the one at hand. False when there can be none: the error says why.
 bool startOver(SessionWork& work, std::shared_ptr<const Domain> domain, const Settings& settings) {
   MeshState probe;  // what is shown of the run while it has no state yet
@@ -60,9 +74,12 @@ bool startOver(SessionWork& work, std::shared_ptr<const Domain> domain, const Se
   const Activity before = std::exchange(work.activity, Activity::meshing);
   work.goalSince = SessionWork::Clock::now();
   work.beginning = true;
+  tellBeginning(work, probe, 0.0);
+  const bool opening = domain != work.driver.run.state.domain;
+  const CommandTest test = [&](const Command& order) { return supersedes(work, order, opening); };
   Result<MeshState> begun = begin(std::move(domain), settings, [&](double fraction) {
-    if (work.interrupted()) return false;
-    if (SessionWork::Clock::now() - work.lastTold >= kDerivingNews) tellSearch(work, probe, fraction);
+    if (work.interrupted() && work.waits(test)) return false;
+    if (SessionWork::Clock::now() - work.lastTold >= kDerivingNews) tellBeginning(work, probe, fraction);
     return true;
   });
   work.beginning = false;

@@ -24,6 +24,8 @@ void tellState(SessionWork& work);
 void tellProgress(SessionWork& work);
 /// How far a search is: at `probe`, and that part of the way when it is known.
 void tellSearch(SessionWork& work, const MeshState& probe, std::optional<double> fraction);
+/// How far the derivation of Δx is for a run that has no state yet but the domain and settings of `probe`.
+void tellBeginning(SessionWork& work, const MeshState& probe, double fraction);
 void fail(SessionWork& work, Error error);
 /// Finds some more measures along the run, and tells them now and then.
 void traceOn(SessionWork& work);

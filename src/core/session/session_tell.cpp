@@ -75,6 +75,16 @@ void tellSearch(SessionWork& work, const MeshState& probe, std::optional<double>
   work.lastTold = SessionWork::Clock::now();
 }
 
+void tellBeginning(SessionWork& work, const MeshState& probe, double fraction) {
+  Publication publication = news(work);
+  publication.progress = progressAt(work, probe);
+  publication.progress.fraction = fraction;
+  publication.settings = probe.settings;
+  publication.domain = probe.domain;
+  work.tell(std::move(publication));
+  work.lastTold = SessionWork::Clock::now();
+}
+
 void tellState(SessionWork& work) {
   const auto start = SessionWork::Clock::now();
   const Run& run = work.driver.run;

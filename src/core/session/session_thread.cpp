@@ -1,5 +1,6 @@
 #include "core/session/session_thread.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace triscope {
@@ -7,6 +8,7 @@ namespace triscope {
 SessionThread::SessionThread(std::function<void()> wake) : wake_(std::move(wake)) {
   work_.tell = [this](Publication news) { publish(std::move(news)); };
   work_.interrupted = [this] { return interrupt_.load(std::memory_order_relaxed); };
+  work_.waits = [this](const CommandTest& test) { return waits(test); };
   thread_ = std::thread([this] { loop(); });
 }
 
@@ -38,6 +40,11 @@ std::optional<Publication> SessionThread::take() {
 bool SessionThread::waitIdle(std::chrono::milliseconds patience) {
   std::unique_lock lock(mutex_);
   return becameIdle_.wait_for(lock, patience, [this] { return idle_; });
+}
+
+bool SessionThread::waits(const CommandTest& test) {
+  const std::lock_guard lock(mutex_);
+  return quit_ || std::any_of(inbox_.begin(), inbox_.end(), test);
 }
 
 void SessionThread::publish(Publication news) {

@@ -28,6 +28,7 @@ class SessionThread {
  private:
   void loop();
   void publish(Publication news);
+  bool waits(const CommandTest& test);
 
   std::function<void()> wake_;
 

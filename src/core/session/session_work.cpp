@@ -82,7 +82,7 @@ void giveUp(SessionWork& work) {
   } else if (hasBegun(work.driver.run)) {
     // The decision that was being made may have been left half done: nothing can be kept but the beginning.
     MeshState start = work.driver.run.history.stateBefore(0);
-    work.driver.run = Run();  // gives back the room that it took
+    work.driver.run = {};  // gives back the room that it took
     work.driver.run = runFrom(std::move(start));
     dropEventsAfter(work);
     halt(work);

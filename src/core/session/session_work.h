@@ -14,6 +14,8 @@
 
 namespace triscope {
 
+using CommandTest = std::function<bool(const Command&)>;
+
 struct SessionWork {
   using Clock = std::chrono::steady_clock;
 
@@ -28,8 +30,9 @@ struct SessionWork {
     double owed = 1.0;  // the first at once
   };
 
-  std::function<void(Publication)> tell;  // may be called from any of the functions below
-  std::function<bool()> interrupted;      // a command waits: searches are to stop
+  std::function<void(Publication)> tell;          // may be called from any of the functions below
+  std::function<bool()> interrupted;              // a command waits: searches are to stop
+  std::function<bool(const CommandTest&)> waits;  // whether a command waits that passes the test
 
   Driver driver;
   std::optional<SetAside> before;
