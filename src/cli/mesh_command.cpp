@@ -11,7 +11,7 @@
 #include "core/explain/bound_text.h"
 #include "core/explain/undercut_text.h"
 #include "core/io/report.h"
-#include "core/method/estimate.h"
+#include "core/method/triangle_limit.h"
 #include "core/quality/bound_figure.h"
 #include "core/quality/quality.h"
 
@@ -28,9 +28,6 @@ void warnOfUnusualSettings(const Settings& settings) {
 }
 
 void summarise(const MeshState& state, const Quality& quality, double seconds) {
-  if (state.stage > Stage::density)
-    fmt::print(stderr, "about {} triangles and {} of memory were estimated by Table 1\n",
-               roughCount(state.estimatedTriangles), bytesText(estimateOf(state).bytes));
   fmt::print(stderr, "{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
   if (state.stage > Stage::carve)
     fmt::print(
@@ -46,7 +43,8 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
     fmt::print(stderr, "note: {}\n", undercut);
 }
 
-/// Everything that was asked for. Of a run that failed only the report and the events are written: they say why.
+/// Everything that was asked for. Where the method cannot go on only the report and the events are written: they say
+/// why.
 Status writeAll(const MeshCommand& options, const MeshState& state, const Quality& quality, const StageSeconds& seconds,
                 std::optional<EventsFile>& events, OutputSet& files) {
   if (state.failed) {
@@ -86,6 +84,7 @@ ExitCode runCommand(const MeshCommand& options) {
 
   const Result<StageSeconds> seconds = carryOn(*state, options.until, events ? &*events : nullptr, options.quiet);
   if (!seconds.ok()) return fail(seconds.error());
+  if (overLimit(*state)) return fail(failureOf(*state));  // a refusal: nothing is written
   const Quality quality = measure(state->mesh);
   if (const Status written = writeAll(options, *state, quality, *seconds, events, files); !written.ok())
     return fail(written.error());

@@ -12,6 +12,7 @@
 #include "core/domain/shortest_line.h"
 #include "core/mesh/validate.h"
 #include "core/method/stages/stage_runs.h"
+#include "core/method/triangle_limit.h"
 
 namespace triscope {
 namespace {
@@ -134,6 +135,7 @@ Beat beat(MeshState& state, Journal& journal) {
   ++countsOf(state).inserted;
   ++state.cursor.changes;
   ++state.roundChanges;
+  if (outgrows(state)) holdToLimit(state, static_cast<double>(state.mesh.liveCount()), journal);
   return Beat::inserted;
 }
 
