@@ -53,7 +53,9 @@ void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) 
     return font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, text.c_str()).x;
   };
   // In a small picture the letter must do.
-  std::string title = values.empty() ? name + "  same parameters" : name + "  " + values;
+  const bool sameDensity = view.pinned->session().domain()->density == view.session.domain()->density;
+  const std::string same = sameDensity ? "same parameters" : "other density constraints";
+  std::string title = name + "  " + (values.empty() ? same : values);
   if (width(strong, title) > room) title = name;
   const bool second = width(small, where) <= room && hasSecondLine(view, size.y);
   const float wide = second ? std::max(width(strong, title), width(small, where)) : width(strong, title);
