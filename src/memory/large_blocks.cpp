@@ -4,14 +4,13 @@
 // The program's operator new, since arrays of every part grow long: cells, triangles, text. Not under a sanitizer,
 // which has its own.
 #include <cstdlib>
+#include <memory>
 #include <new>
 
 #ifdef __linux__
 #include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
-
-#include <cstdint>
 #endif
 
 namespace {
@@ -37,10 +36,12 @@ const bool heapIsLarge = [] {
   mallopt(M_TRIM_THRESHOLD, kHeap);
   mallopt(M_TOP_PAD, kHeap);
   void* const first = std::malloc(kLargePage / 2);  // the heap grows to hold it
-  const auto begin = (reinterpret_cast<std::uintptr_t>(first) + kLargePage - 1) & ~(kLargePage - 1);
+  void* begin = first;
+  auto room = static_cast<std::size_t>(static_cast<char*>(sbrk(0)) - static_cast<char*>(first));
+  const bool large = std::align(kLargePage, kLargePage, begin, room) != nullptr &&
+                     madvise(begin, room & ~(kLargePage - 1), MADV_HUGEPAGE) == 0;
   std::free(first);
-  const auto end = reinterpret_cast<std::uintptr_t>(sbrk(0)) & ~(kLargePage - 1);
-  return begin < end && madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE) == 0;
+  return large;
 }();
 #endif
 
