@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "cli/messages.h"
 #include "cli/progress_line.h"
 #include "core/density/request_text.h"
 #include "core/domain/read.h"
@@ -44,12 +45,11 @@ Result<MeshState> beginFile(const std::string& domainFile, const Settings& setti
       });
   progress.clear();
   if (state.ok() && state->minEdgeDerived && !quiet)
-    fmt::print(stderr,
-               "aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
-               "another\n",
-               state->minEdge);
+    say("aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
+        "another\n",
+        state->minEdge);
   if (state.ok() && !quiet)
-    for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) fmt::print(stderr, "note: {}\n", cut);
+    for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) say("note: {}\n", cut);
   return state;
 }
 
