@@ -1,5 +1,6 @@
 """The standard streams: closed, full, or led into a file of the command's own."""
 
+import os
 import pathlib
 import subprocess
 
@@ -44,6 +45,54 @@ class CannotBeWritten(StreamsTest):
                 with self.subTest(command + stream):
                     process = self.expect(CANNOT_WRITE, self.shell(f"triscope {command} {stream}"))
                     self.assertIn("cannot write to the standard output", process.stderr)
+
+
+class Descriptors(StreamsTest):
+    """/dev/stdout and its like are written to from where they stand, whatever they lead to."""
+
+    def setUp(self):
+        super().setUp()
+        self.expect(OK, run("mesh", STEP, "-q", "-o", self.path("right.su2")))
+        self.mesh = self.read("right.su2")
+
+    def test_what_a_file_holds_stays(self):
+        for name in ("/dev/stdout", "/proc/self/fd/1", "/dev/fd/1"):
+            with self.subTest(name):
+                os.symlink(name, self.path("o.su2"))
+                self.assertEqual(self.shell("(echo header; triscope mesh d.json -o o.su2 -q; echo footer) > a.txt").returncode, OK)
+                self.assertEqual(self.read("a.txt"), f"header\n{self.mesh}footer\n")
+                self.assertEqual(self.shell("triscope mesh d.json -o o.su2 -q >> a.txt").returncode, OK)
+                self.assertEqual(self.read("a.txt"), f"header\n{self.mesh}footer\n{self.mesh}")
+                os.remove(self.path("o.su2"))
+        for name, stream in (("/dev/stderr", "2"), ("/dev/fd/7", "7"), ("/proc/self/fd/7", "7")):
+            for option in ("--report", "--events"):
+                self.write("a.txt", "header\n")
+                self.expect(OK, self.shell(f"triscope mesh d.json -q {option} {name} {stream}>> a.txt"))
+                self.assertRegex(self.read("a.txt"), r"\Aheader\n\{")
+
+    def test_more_than_one(self):
+        self.expect(OK, self.shell("triscope mesh d.json -q --report /dev/stdout --events /dev/stdout > a.txt"))
+        text = self.read("a.txt")
+        self.assertIn('"estimated_triangles"', text)
+        self.assertIn('"stage begun"', text)
+
+    def test_beside_answers(self):
+        self.expect(OK, self.shell("triscope debug d.json -q --save-session /dev/stdout > a.txt"))
+        self.assertRegex(self.read("a.txt"), r'(?s)\A\{.*"hashes".*\}\ntick ')
+
+    def test_nothing_before_all_is_complete(self):
+        self.write("a.txt", "header\n")
+        self.expect(CANNOT_WRITE, self.shell("triscope mesh d.json -q --report /dev/stdout --events /dev/full >> a.txt"))
+        self.assertEqual(self.read("a.txt"), "header\n")
+
+    def test_what_cannot_be_written_to(self):
+        self.write("other", "")
+        for stream in ("1>&-", "1< other"):
+            process = self.expect(CANNOT_WRITE, self.shell(f"triscope mesh d.json -q -o x.su2 --report /dev/stdout {stream}"))
+            self.assertIn("/dev/stdout", process.stderr)
+        self.expect(CANNOT_WRITE, self.shell("triscope mesh d.json -q --report /dev/fd/9"))
+        self.assertEqual(self.read("d.json"), self.text)
+        self.assertFalse((self.folder / "x.su2").exists())
 
 
 if __name__ == "__main__":
