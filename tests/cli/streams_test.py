@@ -95,5 +95,51 @@ class Descriptors(StreamsTest):
         self.assertFalse((self.folder / "x.su2").exists())
 
 
+class LedIntoAFile(StreamsTest):
+    """No standard stream leads into a file that the command reads or names: it says so before any work."""
+
+    def refused(self, line, what, kept):
+        with self.subTest(line):
+            before = self.read(kept)
+            process = self.shell(line)
+            self.assertEqual(process.returncode, USAGE, process.stderr)
+            self.assertIn(f"led into {what}; lead it into another file", process.stderr + process.stdout)
+            self.assertEqual(self.read(kept), before)
+            self.assertFalse((self.folder / "new.msh").exists())
+
+    def test_an_input(self):
+        self.expect(OK, run("mesh", STEP, "-q", "-o", self.path("m.msh"), "-o", self.path("m.node")))
+        self.expect(OK, run("debug", STEP, "--save-session", self.path("s.json")))
+        os.symlink("d.json", self.path("soft.json"))
+        for stream in ("", "2"):
+            self.refused(f"triscope debug d.json {stream}>> d.json", "the domain", "d.json")
+            self.refused(f"triscope debug soft.json {stream}>> d.json", "the domain", "d.json")
+            self.refused(f"triscope mesh d.json -o new.msh {stream}>> d.json", "the domain", "d.json")
+            self.refused(f"triscope figure d.json -o new.svg {stream}>> d.json", "the domain", "d.json")
+            self.refused(f"triscope sweep d.json --omega 0.1 --theta 7 {stream}>> d.json", "the domain", "d.json")
+            self.refused(f"triscope check m.msh {stream}>> m.msh", "the mesh", "m.msh")
+            self.refused(f"triscope check m.node {stream}>> m.ele", "the mesh", "m.ele")
+            self.refused(f"triscope check m.msh --domain d.json {stream}>> d.json", "the domain", "d.json")
+            self.refused(f"triscope check /dev/stdin < m.msh {stream}>> m.msh", "the mesh", "m.msh")
+            self.refused(f"triscope replay s.json {stream}>> s.json", "the session", "s.json")
+
+    def test_an_output(self):
+        self.write("s", "")
+        for stream in ("", "2"):
+            self.refused(f"triscope debug d.json --save-session s {stream}> s", "--save-session", "s")
+            self.refused(f"triscope mesh d.json --report s {stream}>> s", "--report", "s")
+            self.refused(f"triscope sweep d.json --omega 0.1 --theta 7 -o s {stream}>> s", "-o", "s")
+
+    def test_both_streams(self):
+        """Then there is nowhere left to say it."""
+        self.assertEqual(self.shell("triscope debug d.json >> d.json 2>&1").returncode, USAGE)
+        self.assertEqual(self.read("d.json"), self.text)
+
+    def test_other_files(self):
+        self.expect(OK, self.shell("triscope debug d.json > a.txt 2>&1"))
+        self.expect(OK, self.shell("triscope mesh d.json --report /dev/stdout > b.txt 2> c.txt"))
+        self.expect(OK, self.shell("triscope mesh d.json --report /dev/stdout > d.txt 2>&1"))
+
+
 if __name__ == "__main__":
     program.main()
