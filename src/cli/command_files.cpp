@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "cli/outputs.h"
+#include "core/base/temporary_name.h"
 
 namespace triscope {
 namespace {
@@ -60,6 +61,7 @@ Status checkFiles(const CommandFiles& files) {
                    .message = output.what + " takes the name of a file, and '-' is none",
                    .hint = "name a file; ./- is one called so"};
   if (Status streams = checkStreams(files); !streams.ok()) return streams;
+  for (const NamedFile& input : files.inputs) keepFromClearing(input.path);
   return checkOverwrites(files.inputs, files.outputs);
 }
 

@@ -15,6 +15,7 @@ struct CommandFiles {
 
 /// Refuses (usage) an output that is an input or another output, a standard stream that leads into either, and "-": the
 /// standard output was meant, not a file called so. Where stderr is such a stream nothing is said there any more.
+/// Inputs are kept from being cleared as what an earlier program left behind.
 Status checkFiles(const CommandFiles& files);
 
 CommandFiles filesOf(const WindowOptions& options);
