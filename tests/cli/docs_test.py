@@ -7,6 +7,7 @@ one version of the method, and other tests hold them.
 import os
 import re
 import shlex
+import signal
 
 import program
 from program import OK, SOURCE, STEP, run
@@ -111,6 +112,10 @@ class Readme(InFolder):
         codes = re.findall(r"^  \w+ = (\d+),", header.partition("enum class ExitCode")[2], re.MULTILINE)
         self.assertLessEqual({int(code) for code in codes}, set(said))
         self.assertGreater(len(codes), 8)
+        stop = (SOURCE / "src" / "core" / "base" / "stop.cpp").read_text(encoding="utf-8")
+        signals = re.findall(r"^    \{(SIG\w+), ", stop, re.MULTILINE)
+        self.assertLessEqual({128 + signal.Signals[name] for name in signals}, set(said))
+        self.assertEqual(len(signals), 4)
 
 
 if __name__ == "__main__":
