@@ -6,22 +6,25 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/shown_text.h"
+
 namespace triscope {
 
-/// Writes to stderr as it is. What cannot be written there is lost, and changes nothing that the program does.
+/// Writes to stderr, as it is; say() shows what others wrote as shownLines() does. What cannot be written there is
+/// lost, and changes nothing that the program does.
 void sayText(std::string_view text);
 
 template <class... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  sayText(fmt::format(format, std::forward<Args>(args)...));
+  sayText(shownLines(fmt::format(format, std::forward<Args>(args)...)));
 }
 
-/// Writes to stdout. That it could not be written is found at the end, by endOfAnswers().
+/// Writes to stdout, as it is; answer() likewise. That it could not be written is found at the end, by endOfAnswers().
 void answerText(std::string_view text);
 
 template <class... Args>
 void answer(fmt::format_string<Args...> format, Args&&... args) {
-  answerText(fmt::format(format, std::forward<Args>(args)...));
+  answerText(shownLines(fmt::format(format, std::forward<Args>(args)...)));
 }
 
 /// Whether all answers have been written.
