@@ -10,6 +10,7 @@
 #include "cli/progress_line.h"
 #include "core/density/request_text.h"
 #include "core/domain/read.h"
+#include "core/method/estimate.h"
 #include "core/method/pipeline.h"
 #include "core/method/triangle_limit.h"
 #include "core/words/vocabulary.h"
@@ -63,6 +64,11 @@ Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, b
     const Stage stage = state.stage;
     const Clock::time_point start = Clock::now();
     for (int i = 0; i < kSlice && more && state.stage == stage; ++i) more = advanceUntil(state, last, 1, journal);
+    if (stage == Stage::density && state.stage != stage && !state.failed && !quiet) {
+      progress.clear();
+      say("about {} triangles and {} of memory by the estimate of Table 1\n", roughCount(state.estimatedTriangles),
+          bytesText(estimateOf(state).bytes));
+    }
     seconds[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(Clock::now() - start).count();
     if (events != nullptr) {
       if (const Status written = events->append(slice); !written.ok()) return written.error();

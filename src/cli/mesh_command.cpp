@@ -10,7 +10,7 @@
 #include "core/explain/bound_text.h"
 #include "core/explain/undercut_text.h"
 #include "core/io/report.h"
-#include "core/method/estimate.h"
+#include "core/method/triangle_limit.h"
 #include "core/quality/bound_figure.h"
 #include "core/quality/quality.h"
 
@@ -26,9 +26,6 @@ void warnOfUnusualSettings(const Settings& settings) {
 }
 
 void summarise(const MeshState& state, const Quality& quality, double seconds) {
-  if (state.stage > Stage::density)
-    say("about {} triangles and {} of memory were estimated by Table 1\n", roughCount(state.estimatedTriangles),
-        bytesText(estimateOf(state).bytes));
   say("{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
   if (state.stage > Stage::carve)
     say(": aspect {}, area ratio {}, edge ratio {}, angles {} to {} degrees, {} obtuse",
@@ -42,7 +39,8 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
   if (const std::string undercut = undercutText(state, quality); !undercut.empty()) say("note: {}\n", undercut);
 }
 
-/// Everything that was asked for. Of a run that failed only the report and the events are written: they say why.
+/// Everything that was asked for. Where the method cannot go on only the report and the events are written: they say
+/// why.
 Status writeAll(const MeshCommand& options, const MeshState& state, const Quality& quality, const StageSeconds& seconds,
                 std::optional<EventsFile>& events, OutputSet& files) {
   if (state.failed) {
@@ -82,6 +80,7 @@ ExitCode runCommand(const MeshCommand& options) {
 
   const Result<StageSeconds> seconds = carryOn(*state, options.until, events ? &*events : nullptr, options.quiet);
   if (!seconds.ok()) return fail(seconds.error());
+  if (overLimit(*state)) return fail(failureOf(*state));  // a refusal: nothing is written
   const Quality quality = measure(state->mesh);
   if (const Status written = writeAll(options, *state, quality, *seconds, events, files); !written.ok())
     return fail(written.error());

@@ -7,6 +7,7 @@
 #include "core/base/number.h"
 #include "core/method/estimate.h"
 #include "core/method/triangle_limit.h"
+#include "core/run/run.h"
 #include "ui/dialogs.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -14,7 +15,7 @@
 namespace triscope {
 namespace {
 
-constexpr double kSpare = 1.1;  // the estimate of another edge length, or of a tree grown further, is not the same
+constexpr double kSpare = 1.1;  // a tree that grows further is estimated anew, and may come to a little more
 
 const SettingInfo& limitInfo() { return *findSetting("max_triangles"); }
 
@@ -29,15 +30,14 @@ double roundedUp(double value) {
 void LimitDialog::prepare(const MeshState& stopped) {
   const Estimate estimate = estimateOf(stopped);
   const Asker asker = askerOf(stopped);
-  question_ = fmt::format("This would make about {} triangles and take {} of memory.", roughCount(estimate.triangles),
-                          bytesText(estimate.bytes));
+  question_ = fmt::format("This would make about {} triangles and take {} of memory, and its history up to {} more.",
+                          roughCount(estimate.triangles), bytesText(estimate.bytes),
+                          bytesText(historyBytesAtMost(estimate.triangles)));
   reason_ = fmt::format("The limit is {}. Most are asked for by {}, for edges of length {}.",
                         counted(static_cast<std::uint64_t>(stopped.settings.maxTriangles), "triangle", "triangles"),
                         asker.name, compact(asker.length));
   hint_ = tooManyTriangles(stopped).hint;
-  // The number of triangles goes with the square of the edge length; below what is asked for Δx changes nothing.
-  const double factor = std::sqrt(kSpare * estimate.triangles / stopped.settings.maxTriangles);
-  minEdge_ = roundedUp(std::max(stopped.minEdge, asker.length) * std::max(factor, 1.0));
+  minEdge_ = minEdgeBelowLimit(stopped).value_or(2.0 * std::max(stopped.minEdge, asker.length));
   most_ = roundedUp(kSpare * estimate.triangles);
 }
 

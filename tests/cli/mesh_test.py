@@ -1,9 +1,11 @@
 """triscope mesh: what it writes, what it says, and that it never harms a file on an error."""
 
 import json
+import math
 import os
 import pathlib
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -73,7 +75,7 @@ class Outputs(program.ProgramTest):
         self.assertIn("triangles", json.loads(process.stdout))
 
     def test_report_on_a_full_disk(self):
-        self.expect(CANNOT_WRITE, run("mesh", STEP, "--report", "/dev/full"))
+        self.expect(CANNOT_WRITE, run("mesh", STEP, "-q", "--report", "/dev/full"))
 
     def test_events_are_one_json_object_a_line(self):
         self.expect(OK, run("mesh", STEP, "--events", self.path("e.jsonl")))
@@ -131,9 +133,44 @@ class Limit(program.ProgramTest):
         self.expect(USAGE, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "many"))
         self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--max-triangles", "100000"))
 
+    def test_what_is_advised_suffices(self):
+        for box, most in ((0.6, 20000), (1.0, 3000), (0.13, 700)):
+            for length in (0.0007, 0.001, 0.0021):
+                domain = {"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.0005,
+                          "density": [{"box": [[0.1, 0.1], [0.1 + box, 0.1 + box]], "length": length}]}
+                command = ("mesh", "-q", "-o", self.path("a.msh"), "--max-triangles", str(most))
+                error = self.expect(BAD_DATA, run(*command, self.write("d.json", json.dumps(domain)))).stderr
+                domain["density"][0]["length"] = float(re.search(r"ask for edges of (\S+) or longer", error)[1])
+                self.expect(OK, run(*command, self.write("d.json", json.dumps(domain))))
+        error = self.expect(BAD_DATA, run("mesh", BLUNT_BODY, "-q", "-o", self.path("a.msh"), "--max-triangles",
+                                          "1000")).stderr
+        length = re.search(r"min_edge_length of (\S+) or more", error)[1]
+        self.expect(OK, run("mesh", BLUNT_BODY, "-q", "-o", self.path("a.msh"), "--max-triangles", "1000",
+                            "--set", "min_edge_length=" + length))
+
+    def test_edges_that_are_kept_are_held_to_the_limit_too(self):
+        spokes = 300
+        turn = 2 * math.pi / spokes
+        hub = self.write("hub.json", json.dumps({
+            "outer": [[-1, -1], [1, -1], [1, 1], [-1, 1]], "min_edge_length": 0.3,
+            "segments": [[[0, 0], [0.9 * math.cos(k * turn), 0.9 * math.sin(k * turn)]] for k in range(spokes)]}))
+        error = self.expect(BAD_DATA, run("mesh", hub, "-q", "-o", self.path("a.msh"), "--max-triangles", "1500")).stderr
+        self.assertIn("because of edges that it has to keep", error)
+        self.assertNotIn("min_edge_length", error)
+        self.assertEqual(self.files(), ["hub.json"])
+
+    def test_a_refusal_leaves_every_file(self):
+        names = ["a.msh", "r.json", "e.jsonl"]
+        for name in names:
+            self.write(name, "old")
+        self.expect(BAD_DATA, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"), "--report", self.path("r.json"),
+                                  "--events", self.path("e.jsonl"), "--max-triangles", "10"))
+        self.assertEqual([(self.folder / name).read_text() for name in names], ["old"] * 3)
+
     def test_the_estimate_is_told(self):
         error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.msh"))).stderr
-        self.assertRegex(error, r"about \d+ triangles and [\d.]+ [kM]B of memory were estimated by Table 1\n")
+        self.assertRegex(error, r"about \d+ triangles and [\d.]+ [kM]B of memory by the estimate of Table 1\n")
+        self.assertLess(error.index("estimate"), error.index("vertices in"), "it is told before the mesh is made")
         error = self.expect(OK, run("mesh", BLUNT_BODY, "-o", self.path("a.svg"), "--until", "quadtree")).stderr
         self.assertNotIn("estimated", error)
 

@@ -68,6 +68,19 @@ double verticesOf(const Mesh& mesh, VertexKind kind) {
   return static_cast<double>(std::count(mesh.kinds.begin(), mesh.kinds.end(), kind));
 }
 
+double trianglesWith(const Mesh& mesh, VertexKind kind) {
+  double count = 0.0;
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    if ((mesh.flags[slot] & kDead) != 0) continue;
+    const std::array<std::int32_t, 3>& v = mesh.triangles[slot].v;
+    count +=
+        std::any_of(v.begin(), v.end(), [&](std::int32_t k) { return mesh.kinds[static_cast<std::size_t>(k)] == kind; })
+            ? 1.0
+            : 0.0;
+  }
+  return count;
+}
+
 double countOf(const std::vector<Event>& events, const std::function<bool(const Event&)>& is) {
   return static_cast<double>(std::count_if(events.begin(), events.end(), is));
 }
@@ -99,7 +112,7 @@ std::vector<double> expected(Stage stage, const MeshState& before, const MeshSta
     case Stage::boundary:
       return {placedBetween(after)};
     case Stage::triangulation:
-      return {triangles};
+      return {triangles, trianglesWith(after.mesh, VertexKind::helper)};
     case Stage::recovery:
       if (points == 0.0) return {};
       return {verticesOf(after.mesh, VertexKind::split)};

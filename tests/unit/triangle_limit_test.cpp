@@ -5,6 +5,8 @@
 
 #include "core/explain/caption.h"
 #include "core/method/estimate.h"
+#include "core/run/driver.h"
+#include "core/run/travel.h"
 #include "support/runs.h"
 
 namespace triscope {
@@ -98,6 +100,28 @@ TEST(TriangleLimit, NamesWhatAsksForTheMost) {
   names(messageOf(square(R"(, "holes": [{"name": "eye", "kind": "circle", "centre": [0.5, 0.5], "radius": 0.01}])"),
                   most(1'000)),
         "loop 'eye'");
+}
+
+// Whoever looks at a run that stopped sees where it did.
+TEST(TriangleLimit, AViewerStaysInTheStageThatStopped) {
+  for (const auto& [domain, stage] :
+       {std::pair(support::domainFrom(support::kRound), Stage::density),
+        std::pair(support::domainAt(support::testData().parent_path() / "refused" / "box_1e16_triangles.json"),
+                  Stage::quadtree)}) {
+    Driver driver;
+    driver.run = runFrom(support::start(domain, most(10)));
+    driver.breakpoints = {{std::move(*Condition::compile("failed"))}};
+    for (const Goal::Kind kind : {Goal::Kind::end, Goal::Kind::breakpoint}) {
+      headFor(driver, towardsTick(driver.run, 0));
+      std::vector<Event> fresh;
+      carryOn(driver, 1, {}, fresh);
+      headFor(driver, {.kind = kind});
+      carryOn(driver, ~std::uint64_t{0}, {}, fresh);
+      EXPECT_TRUE(overLimit(driver.run.state));
+      EXPECT_EQ(driver.run.state.stage, stage);
+      EXPECT_EQ(driver.stopped.has_value(), kind == Goal::Kind::breakpoint);
+    }
+  }
 }
 
 // One tree in two pieces is the same tree: what stops it is no matter of when it is looked at.

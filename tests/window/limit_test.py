@@ -67,6 +67,20 @@ class Limit(harness.WindowTest):
             state = window.wait(lambda s: s["failed"] == (action == "to_end") and s["activity"] == "idle", action)
             self.assertEqual(state["dialog"], "none")
 
+    def test_what_is_suggested_for_a_run_stopped_early_is_meshed_to_the_end(self):
+        # It is given up in the quadtree, long before Table 1 is known; a limit that is soon reached all the same.
+        window = self.window
+        self.most(60000)
+        self.open("early.json", dict(SMALL, name="early", min_edge_length=1e-4,
+                                     density=[{"box": [[0, 0], [8, 8]], "rank": 1}]))
+        state = self.asked()
+        self.assertEqual((state["stage"], state["failed"]), ("quadtree", True))
+        window.click("limit.coarser")
+        state = window.wait(lambda s: s["dialog"] == "none" and s["activity"] == "idle" and not s["failed"], "a mesh",
+                            timeout=120)
+        self.assertEqual(state["stage"], "finished")
+        self.assertGreater(state["figures"]["triangles"], 1000)
+
     def test_the_limit_is_raised_lowered_and_kept(self):
         window = self.window
         self.open("small.json", SMALL)

@@ -33,6 +33,15 @@ Leaves leavesOf(const Quadtree& tree) {
   return leaves;
 }
 
+std::size_t atBox(const Mesh& mesh) {
+  std::size_t count = 0;
+  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    const auto s = static_cast<std::int32_t>(slot);
+    if (mesh.alive(s) && touchesHelper(mesh, s)) ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 std::string captionOf(const Event& e) {
@@ -65,7 +74,8 @@ std::string captionOf(const Event& e, const MeshState& state) {
           "{} are done: {} placed between those of the input.", stage,
           std::count_if(state.boundary.begin(), state.boundary.end(), [](const BoundaryPoint& p) { return !p.kept; }));
     case Stage::triangulation:
-      return fmt::format("{} is done: {}, those outside the domain among them.", stage, triangles);
+      return fmt::format("{} is done: {}, {} at the box around the domain and others outside it among them.", stage,
+                         triangles, grouped(atBox(state.mesh)));
     case Stage::recovery:
       return e.subject == 0 ? fmt::format("{} is done: no boundary edge was missing.", stage)
                             : fmt::format("{} is done: {} split.", stage, counted(e.subject, "edge was", "edges were"));

@@ -12,6 +12,7 @@
 #include "core/domain/shortest_line.h"
 #include "core/mesh/validate.h"
 #include "core/method/stages/stage_runs.h"
+#include "core/method/triangle_limit.h"
 
 namespace triscope {
 namespace {
@@ -119,8 +120,11 @@ enum class Beat : std::uint8_t { worked, decided, inserted, left_stage, over };
 Beat beat(MeshState& state, Journal& journal) {
   if (state.stage == Stage::finished) return Beat::over;
   if (!state.cursor.begun) recordStage(state, EventKind::stage_begun, state.round, journal);
+  const bool couldGoOn = !state.failed;
   const Outcome outcome = infoOf(state.stage).runOne(state, journal);
   if (outcome == Outcome::worked) return Beat::worked;
+  // One look at the state in the stage that it failed in: viewers stay there.
+  if (outcome == Outcome::done && couldGoOn && state.failed) return Beat::worked;
   if (outcome == Outcome::done) {
     leaveStage(state, journal);
     return Beat::left_stage;
@@ -134,6 +138,7 @@ Beat beat(MeshState& state, Journal& journal) {
   ++countsOf(state).inserted;
   ++state.cursor.changes;
   ++state.roundChanges;
+  if (outgrows(state)) holdToLimit(state, static_cast<double>(state.mesh.liveCount()), journal);
   return Beat::inserted;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "core/base/number.h"
 #include "core/density/forecast.h"
@@ -11,6 +13,8 @@
 #include "core/density/sources.h"
 #include "core/domain/loop_of.h"
 #include "core/method/estimate.h"
+#include "core/method/pipeline.h"
+#include "core/method/stages/stage_runs.h"
 
 namespace triscope {
 namespace {
@@ -53,30 +57,74 @@ std::size_t groupOf(const Domain& domain, const Constraint& constraint) {
          static_cast<std::size_t>(Rule::curvature);
 }
 
-std::string hintOf(const MeshState& state, const Asker& asker) {
-  constexpr std::string_view kOr = "or raise max_triangles";
-  switch (asker.source) {
-    case Rule::user_request: {
-      const double factor = 1.05 * std::sqrt(state.estimatedTriangles / state.settings.maxTriangles);
-      return fmt::format("ask for edges of {:.2g} or longer there, {}", asker.length * factor, kOr);
-    }
-    case Rule::curvature:
-      return fmt::format("give a larger min_edge_length than {} or a larger curvature_turn, {}", compact(state.minEdge),
-                         kOr);
-    case Rule::gap:
-      return fmt::format("give a larger min_edge_length than {} or a larger gap_fraction, {}", compact(state.minEdge),
-                         kOr);
-    case Rule::none:
-      return fmt::format("give a larger min_edge_length than {} or a larger max_rank, {}", compact(state.minEdge), kOr);
-    default:
-      return fmt::format("give a larger min_edge_length than {}, {}", compact(state.minEdge), kOr);
+/// Rounded up to two digits, so that it can be typed.
+double roundedUp(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit - 1e-9) * unit;
+}
+
+/// Whether the density of an input asks for no more than its limit.
+bool staysBelow(std::shared_ptr<const Domain> domain, const Settings& settings) {
+  Result<MeshState> state = begin(std::move(domain), settings);
+  if (!state.ok()) return false;
+  Journal nobody;
+  advanceUntil(*state, Stage::density, ~std::uint64_t{0}, nobody);
+  return !state->failed;
+}
+
+/// The first of some lengths from about where it should do.
+template <class Does>
+std::optional<double> firstBelow(const MeshState& stopped, double length, const Does& does) {
+  constexpr int kTries = 12;
+  constexpr double kStep = 1.15;
+  // Triangles go with the square of the length, but not quite: a tree that was given up early says little of the whole,
+  // and ranks are steps.
+  length *= 1.05 * std::sqrt(std::max(1.0, stopped.estimatedTriangles / stopped.settings.maxTriangles));
+  for (int k = 0; k < kTries; ++k, length *= kStep) {
+    length = roundedUp(length);
+    if (does(length)) return length;
   }
+  return std::nullopt;
 }
 
 }  // namespace
 
 bool overLimit(const MeshState& state) {
   return state.failed && state.estimatedTriangles > state.settings.maxTriangles;
+}
+
+void holdToLimit(MeshState& state, double triangles, Journal& journal) {
+  const double most = state.settings.maxTriangles;
+  if (triangles <= most) return;
+  state.estimatedTriangles = triangles;
+  state.failed = true;
+  if (!journal.listening()) return;
+  const Asker asker = askerOf(state);
+  Event event = eventIn(state, EventKind::failure, asker.source);
+  event.refusal = Refusal::too_many_triangles;
+  event.other = asker.curve;
+  event.measured = triangles;
+  event.limit = most;
+  event.at = asker.at;
+  journal.record(event);
+}
+
+std::optional<double> minEdgeBelowLimit(const MeshState& stopped) {
+  // Below what is asked for, Δx changes nothing.
+  return firstBelow(stopped, std::max(stopped.minEdge, askerOf(stopped).length), [&](double length) {
+    Settings settings = stopped.settings;
+    settings.minEdge = length;
+    return staysBelow(stopped.domain, settings);
+  });
+}
+
+std::optional<double> requestBelowLimit(const MeshState& stopped, const Asker& request) {
+  return firstBelow(stopped, request.length, [&](double length) {
+    auto changed = std::make_shared<Domain>(*stopped.domain);
+    changed->density[request.curve].length = length;
+    changed->density[request.curve].rank = 0;
+    return staysBelow(std::move(changed), stopped.settings);
+  });
 }
 
 Asker askerOf(const MeshState& state) {
@@ -121,12 +169,38 @@ Asker askerOf(const MeshState& state) {
   return {most.source, most.curve, most.finest, most.at, nameOf(domain, most.source, most.curve)};
 }
 
+namespace {
+
+std::string hintOf(const MeshState& state, const Asker& asker) {
+  constexpr std::string_view kOr = "or raise max_triangles";
+  if (!state.mesh.triangles.empty()) return fmt::format("simplify the domain, {}", kOr);
+  const bool request = asker.source == Rule::user_request;
+  const std::optional<double> length = request ? requestBelowLimit(state, asker) : minEdgeBelowLimit(state);
+  if (!length) return fmt::format("simplify the domain, {}", kOr);
+  switch (asker.source) {
+    case Rule::user_request:
+      return fmt::format("ask for edges of {} or longer there, {}", compact(*length), kOr);
+    case Rule::curvature:
+      return fmt::format("give a min_edge_length of {} or more, or a larger curvature_turn, {}", compact(*length), kOr);
+    case Rule::gap:
+      return fmt::format("give a min_edge_length of {} or more, or a larger gap_fraction, {}", compact(*length), kOr);
+    case Rule::none:
+      return fmt::format("give a min_edge_length of {} or more, or a larger max_rank, {}", compact(*length), kOr);
+    default:
+      return fmt::format("give a min_edge_length of {} or more, {}", compact(*length), kOr);
+  }
+}
+
+}  // namespace
+
 Error tooManyTriangles(const MeshState& state) {
   const Estimate estimate = estimateOf(state);
   const Asker asker = askerOf(state);
   // A tree that outgrows the limit is given up before its cells are classified.
   const std::string size =
-      classified(state.tree)
+      !state.mesh.triangles.empty()
+          ? fmt::format("more than {} triangles, because of edges that it has to keep", roughCount(estimate.triangles))
+      : classified(state.tree)
           ? fmt::format("about {} triangles by the estimate of Table 1", roughCount(estimate.triangles))
           : fmt::format("at least {} triangles, or as many cells in its quadtree", roughCount(estimate.triangles));
   return {.message = fmt::format(

@@ -1,6 +1,7 @@
-// What is said of a run that stops because the mesh would have more triangles than Settings::maxTriangles.
+// Runs stop where the mesh would have more triangles than Settings::maxTriangles, and what is said of one that did.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
@@ -8,6 +9,18 @@
 #include "core/words/event.h"
 
 namespace triscope {
+
+/// The method fails if so many are more than Settings::maxTriangles.
+void holdToLimit(MeshState& state, double triangles, Journal& journal);
+
+inline constexpr std::size_t kTrianglesOfBox = 64;  // around the domain: enough for the smallest limits
+
+/// Whether a mesh that is being made has outgrown the limit, although Table 1 promised fewer triangles: kept edges can
+/// force more. Before it is carved, a part of the triangles lies outside the domain.
+inline bool outgrows(const MeshState& state) {
+  const std::size_t most = static_cast<std::size_t>(state.settings.maxTriangles);
+  return state.mesh.liveCount() > (state.stage > Stage::carve ? most : 2 * most + kTrianglesOfBox);
+}
 
 /// Whether that is why the run stopped.
 bool overLimit(const MeshState& state);
@@ -21,6 +34,12 @@ struct Asker {
   std::string name;  // "density entry 'wake'", "the curvature of loop 'hole 1'", "the setting max_rank"
 };
 Asker askerOf(const MeshState& state);
+
+/// A Δx, of two digits, with which the same input stays below the limit; nothing where none was found. Tries some
+/// densities, so that it may take as long as the largest that is allowed.
+std::optional<double> minEdgeBelowLimit(const MeshState& stopped);
+/// The same for the length that a density request asks for.
+std::optional<double> requestBelowLimit(const MeshState& stopped, const Asker& request);
 
 /// How many triangles and bytes it would take, what asks for them, and what to change.
 Error tooManyTriangles(const MeshState& state);

@@ -29,7 +29,7 @@ bool Watch::step(MeshState& state, std::span<const Breakpoint> breakpoints, std:
   const std::uint64_t tick = state.tick;
   Journal journal{&events_};
   const bool more = advanceAPiece(state, journal);
-  working_ = more && state.tick == tick && state.stage != Stage::finished;
+  working_ = more && state.tick == tick && state.stage != Stage::finished && !state.failed;
   if (working_) return true;
   // What follows the last decision has events but no tick: the end of the last stage, or the failure of one.
   if (!more || events_.empty()) return false;

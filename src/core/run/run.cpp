@@ -25,6 +25,11 @@ void rememberStage(Run& run) {
 
 }  // namespace
 
+double historyBytesAtMost(double triangles) {
+  constexpr double kEventsPerTriangle = 60.0;  // bytes, packed: a point comes with two triangles (docs/benchmarks.md)
+  return static_cast<double>(kHistoryBytes + kCheckpointBytes) + kEventsPerTriangle * triangles;
+}
+
 Run runFrom(MeshState start, std::size_t budget) {
   Run run;
   run.state = std::move(start);

@@ -51,6 +51,9 @@ inline constexpr std::size_t kHistoryBytes = std::size_t{256} << 20u;
 /// A run at its start. `start` is a state at tick 0; `budget` is that of the keyframes, in bytes.
 Run runFrom(MeshState start, std::size_t budget = kHistoryBytes);
 
+/// Bytes that a run of so many triangles takes beside its mesh, if all of it is kept.
+double historyBytesAtMost(double triangles);
+
 /// Whether a run has begun: a Run that was only constructed has no domain.
 inline bool hasBegun(const Run& run) { return run.state.domain != nullptr; }
 inline bool isOver(const Run& run) { return run.state.stage == Stage::finished || run.state.failed; }

@@ -123,9 +123,9 @@ void change(SessionWork& work, const Settings& settings) {
     takeOver(run, settings);
     dropEventsAfter(work);
   } else {
-    const MeshState& shown = work.before ? work.before->run.state : run.state;
-    const bool toEnd = shown.stage == Stage::finished || work.driver.goal.kind == Goal::Kind::end;
-    const std::uint64_t tick = shown.tick;
+    const Run& shown = work.before ? work.before->run : run;
+    const bool toEnd = isOver(shown) || work.driver.goal.kind == Goal::Kind::end;
+    const std::uint64_t tick = shown.state.tick;
     if (derives) {
       if (!startOver(work, run.state.domain, settings)) return;
     } else {

@@ -2,6 +2,7 @@
 #include "core/density/sources.h"
 #include "core/method/stages/split_leaf.h"
 #include "core/method/stages/stage_runs.h"
+#include "core/method/triangle_limit.h"
 
 namespace triscope {
 namespace {

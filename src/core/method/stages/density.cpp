@@ -6,6 +6,7 @@
 #include "core/method/stages/balance.h"
 #include "core/method/stages/split_leaf.h"
 #include "core/method/stages/stage_runs.h"
+#include "core/method/triangle_limit.h"
 
 namespace triscope {
 namespace {

@@ -49,20 +49,4 @@ std::int32_t splitLeaf(MeshState& state, Journal& journal, const SplitReason& wh
   return first;
 }
 
-void holdToLimit(MeshState& state, double triangles, Journal& journal) {
-  const double most = state.settings.maxTriangles;
-  if (triangles <= most) return;
-  state.estimatedTriangles = triangles;
-  state.failed = true;
-  if (!journal.listening()) return;
-  const Asker asker = askerOf(state);
-  Event event = eventIn(state, EventKind::failure, asker.source);
-  event.refusal = Refusal::too_many_triangles;
-  event.other = asker.curve;
-  event.measured = triangles;
-  event.limit = most;
-  event.at = asker.at;
-  journal.record(event);
-}
-
 }  // namespace triscope

@@ -16,7 +16,4 @@ struct SplitReason {
 /// Settings::maxTriangles, which is looked at whenever the tree has grown fourfold.
 std::int32_t splitLeaf(MeshState& state, Journal& journal, const SplitReason& why, std::int32_t leaf);
 
-/// The method fails where the mesh would have more than Settings::maxTriangles.
-void holdToLimit(MeshState& state, double triangles, Journal& journal);
-
 }  // namespace triscope
