@@ -7,6 +7,7 @@
 
 #include "core/base/counted.h"
 #include "core/base/json_text.h"
+#include "core/base/shown_text.h"
 #include "core/explain/caption.h"
 #include "core/explain/element.h"
 #include "core/explain/life.h"
@@ -133,7 +134,7 @@ std::string answersAsText(const Stop& stop, const std::vector<Print>& prints) {
     text += fmt::format("\n{}\n", print.text);
     for (const Line& line : linesOf(stop, print, quality)) text += fmt::format("  {}\n", plainText(line));
   }
-  return text;
+  return shownLines(text);
 }
 
 std::string answersAsJson(const Stop& stop, const std::vector<Print>& prints) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cli/exit_codes.h"
+#include "cli/messages.h"
 #include "cli/stage_names.h"
 #include "core/base/version.h"
 
@@ -215,7 +216,7 @@ CLI::App& addReplay(CLI::App& app, ReplayCommand& options) {
 }
 
 ExitCode complain(const Error& error) {
-  fmt::print(stderr, "triscope: {}\n", describe(error));
+  say("triscope: {}\n", describe(error));
   return ExitCode::usage;
 }
 
@@ -251,7 +252,7 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
       app.exit(stop);
       return ExitCode::ok;
     }
-    fmt::print(stderr, "triscope: {}\nRun 'triscope --help' for what can be given.\n", stop.what());
+    say("triscope: {}\nRun 'triscope --help' for what can be given.\n", stop.what());
     return ExitCode::usage;
   }
 

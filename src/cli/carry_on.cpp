@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "cli/messages.h"
 #include "cli/progress_line.h"
 #include "core/density/request_text.h"
 #include "core/domain/read.h"
@@ -45,12 +46,11 @@ Result<MeshState> beginFile(const std::string& domainFile, const Settings& setti
       });
   progress.clear();
   if (state.ok() && state->minEdgeDerived && !quiet)
-    fmt::print(stderr,
-               "aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
-               "another\n",
-               state->minEdge);
+    say("aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
+        "another\n",
+        state->minEdge);
   if (state.ok() && !quiet)
-    for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) fmt::print(stderr, "note: {}\n", cut);
+    for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) say("note: {}\n", cut);
   return state;
 }
 
@@ -66,8 +66,8 @@ Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, b
     for (int i = 0; i < kSlice && more && state.stage == stage; ++i) more = advanceUntil(state, last, 1, journal);
     if (stage == Stage::density && state.stage != stage && !state.failed && !quiet) {
       progress.clear();
-      fmt::print(stderr, "about {} triangles and {} of memory by the estimate of Table 1\n",
-                 roughCount(state.estimatedTriangles), bytesText(estimateOf(state).bytes));
+      say("about {} triangles and {} of memory by the estimate of Table 1\n", roughCount(state.estimatedTriangles),
+          bytesText(estimateOf(state).bytes));
     }
     seconds[static_cast<std::size_t>(stage)] += std::chrono::duration<double>(Clock::now() - start).count();
     if (events != nullptr) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "core/domain/read.h"
 #include "core/explain/bound_text.h"
 #include "core/io/against_domain.h"
@@ -13,18 +14,18 @@
 namespace triscope {
 namespace {
 
-void printCount(std::string_view key, std::size_t value) { fmt::print("{:<18} {}\n", key, value); }
+void printCount(std::string_view key, std::size_t value) { answer("{:<18} {}\n", key, value); }
 
 /// One bounded figure, with the bound, the verdict, where the worst triangle is and what excuses it.
 void printBounded(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
   const std::string key = fmt::format("{}_{}", worst.key, worst.key.ends_with("angle") ? "deg" : "max");
-  fmt::print("{:<18} {:<12.7g} {:<7} {:<8}", key, worst.value, limitText(worst), worst.met() ? "met" : "not met");
+  answer("{:<18} {:<12.7g} {:<7} {:<8}", key, worst.value, limitText(worst), worst.met() ? "met" : "not met");
   if (worst.slot >= 0) {
     const Point at = centroidOf(mesh, worst.slot);
-    fmt::print(" triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
+    answer(" triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
   }
   const std::string excuse = excuseText(mesh, quality, worst);
-  fmt::print("{}{}\n", excuse.empty() ? "" : ", ", excuse);
+  answer("{}{}\n", excuse.empty() ? "" : ", ", excuse);
 }
 
 void printFigures(const Mesh& mesh, const Quality& q) {
@@ -32,18 +33,18 @@ void printFigures(const Mesh& mesh, const Quality& q) {
   printCount("triangles", q.triangles);
   printCount("boundary_vertices", q.boundaryVertices);
   printCount("obtuse", q.obtuse);
-  fmt::print("{:<18} {:.10g}\n", "area", q.area);
-  fmt::print("{:<18} {:.7g}\n", "min_edge_length", q.minEdge);
+  answer("{:<18} {:.10g}\n", "area", q.area);
+  answer("{:<18} {:.7g}\n", "min_edge_length", q.minEdge);
   for (const WorstMeasure& worst : worstOf(q)) printBounded(mesh, q, worst);
 }
 
 /// Prints the verdict and what is wrong. True when nothing is.
 bool printVerdict(std::string_view key, const std::vector<Violation>& violations) {
-  fmt::print("{:<18} {}\n", key, violations.empty() ? "yes" : "no");
+  answer("{:<18} {}\n", key, violations.empty() ? "yes" : "no");
   for (const Violation& violation : violations) {
     const std::string place =
         violation.at ? fmt::format("at ({:.6g}, {:.6g}): ", violation.at->x, violation.at->y) : "";
-    fmt::print("  {}{}\n", place, violation.message);
+    answer("  {}{}\n", place, violation.message);
   }
   return violations.empty();
 }
@@ -66,7 +67,7 @@ ExitCode runCommand(const CheckCommand& options) {
     if (!domain.ok()) return fail(domain.error());
     strays = checkAgainstDomain(*mesh, *domain);
   }
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+  for (const std::string& note : notes) say("note: {}\n", note);
 
   const Quality quality = measure(*mesh);
   printFigures(*mesh, quality);

@@ -1,6 +1,11 @@
 #include "cli/command_files.h"
 
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "cli/outputs.h"
+#include "core/base/temporary_name.h"
 
 namespace triscope {
 namespace {
@@ -14,6 +19,37 @@ std::vector<NamedFile> outputsOf(const std::vector<std::string>& paths) {
   return files;
 }
 
+/// The regular file that a standard stream leads into, when it is one of these; none where the stream was named.
+const NamedFile* ledInto(int stream, const CommandFiles& files) {
+  struct stat there{};
+  if (::fstat(stream, &there) != 0 || !S_ISREG(there.st_mode)) return nullptr;
+  const auto same = [&](const NamedFile& file) {
+    struct stat named{};
+    return !file.path.empty() && ::stat(file.path.c_str(), &named) == 0 && named.st_dev == there.st_dev &&
+           named.st_ino == there.st_ino;
+  };
+  for (const NamedFile& input : files.inputs)
+    if (same(input)) return &input;
+  for (const NamedFile& output : files.outputs)
+    if (same(output) && !descriptorNamed(output.path)) return &output;
+  return nullptr;
+}
+
+Status checkStreams(const CommandFiles& files) {
+  const NamedFile* const answers = ledInto(STDOUT_FILENO, files);
+  const NamedFile* const messages = ledInto(STDERR_FILENO, files);
+  // The message about it would be the first to go there.
+  if (messages != nullptr && answers != nullptr) ::close(STDERR_FILENO);
+  if (messages != nullptr && answers == nullptr) ::dup2(STDOUT_FILENO, STDERR_FILENO);
+  const NamedFile* const file = answers != nullptr ? answers : messages;
+  if (file == nullptr) return success();
+  return Error{.code = ExitCode::usage,
+               .message = fmt::format("the standard {} is led into {}", answers != nullptr ? "output" : "error output",
+                                      file->what),
+               .hint = "lead it into another file",
+               .file = file->path};
+}
+
 NamedFile domain(const std::string& path) { return {"the domain", path}; }
 
 }  // namespace
@@ -24,6 +60,8 @@ Status checkFiles(const CommandFiles& files) {
       return Error{.code = ExitCode::usage,
                    .message = output.what + " takes the name of a file, and '-' is none",
                    .hint = "name a file; ./- is one called so"};
+  if (Status streams = checkStreams(files); !streams.ok()) return streams;
+  for (const NamedFile& input : files.inputs) keepFromClearing(input.path);
   return checkOverwrites(files.inputs, files.outputs);
 }
 
@@ -42,7 +80,11 @@ CommandFiles filesOf(const MeshCommand& options) {
   return files;
 }
 
-CommandFiles filesOf(const CheckCommand& options) { return {{{"the mesh", options.mesh}, domain(options.domain)}, {}}; }
+CommandFiles filesOf(const CheckCommand& options) {
+  CommandFiles files{{domain(options.domain)}, {}};
+  for (const std::string& name : filesOf(options.mesh)) files.inputs.push_back({"the mesh", name});
+  return files;
+}
 
 CommandFiles filesOf(const FigureCommand& options) { return {{domain(options.domain)}, outputsOf(options.outputs)}; }
 

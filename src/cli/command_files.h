@@ -13,8 +13,9 @@ struct CommandFiles {
   std::vector<NamedFile> outputs;
 };
 
-/// Refuses (usage) an output that is an input or another output, and "-": the standard output was meant, not a file
-/// called so.
+/// Refuses (usage) an output that is an input or another output, a standard stream that leads into either, and "-": the
+/// standard output was meant, not a file called so. Where stderr is such a stream nothing is said there any more.
+/// Inputs are kept from being cleared as what an earlier program left behind.
 Status checkFiles(const CommandFiles& files);
 
 CommandFiles filesOf(const WindowOptions& options);

@@ -7,6 +7,7 @@
 #include "cli/answers.h"
 #include "cli/carry_on.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/progress_line.h"
 #include "core/base/output_set.h"
 #include "core/run/driver.h"
@@ -142,14 +143,13 @@ ExitCode runCommand(const DebugCommand& options) {
   const Stop stop{driver.run, eventsOf(at), hit ? driver.breakpoints.at(hit->breakpoint).condition.text() : "",
                   hit ? std::optional(static_cast<std::size_t>(hit->number)) : std::nullopt};
   const std::string answers = options.json ? answersAsJson(stop, options.prints) : answersAsText(stop, options.prints);
-  std::fwrite(answers.data(), 1, answers.size(), stdout);
+  answerText(answers);
 
   if (options.firstViolation && !hit && !options.quiet)
-    fmt::print(stderr, "note: no rule of validity and no bound of the paper is broken up to the end of the run\n");
+    say("note: no rule of validity and no bound of the paper is broken up to the end of the run\n");
   if (options.firstViolation) return hit ? ExitCode::unmet : ExitCode::ok;
   if (onwards && !hit) {
-    fmt::print(stderr, "triscope: no breakpoint was met {}\n",
-               options.back ? "before that" : "up to the end of the run");
+    say("triscope: no breakpoint was met {}\n", options.back ? "before that" : "up to the end of the run");
     return ExitCode::unmet;
   }
   return ExitCode::ok;

@@ -32,7 +32,9 @@ constexpr std::array kMeanings{
     of(ExitCode::internal, "a defect of the program"),
     of(ExitCode::no_memory, "not enough memory"),
     of(ExitCode::cannot_write, "an output cannot be written"),
+    Meaning{kBySignal + SIGHUP, "stopped, the terminal is gone"},
     of(ExitCode::cancelled, "stopped by Ctrl+C"),
+    Meaning{kBySignal + SIGPIPE, "stopped, nobody reads a pipe any more"},
     Meaning{kBySignal + SIGTERM, "stopped by TERM"},
 };
 

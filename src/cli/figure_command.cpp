@@ -5,6 +5,7 @@
 
 #include "cli/carry_on.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/outputs.h"
 
 namespace triscope {
@@ -70,7 +71,7 @@ ExitCode runCommand(const FigureCommand& options) {
   }
   if (const Status written = files.commit(); !written.ok()) return fail(written.error());
   if (!options.quiet)
-    for (const std::string& path : options.outputs) fmt::print(stderr, "wrote {}\n", path);
+    for (const std::string& path : options.outputs) say("wrote {}\n", path);
   return ExitCode::ok;
 }
 

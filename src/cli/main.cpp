@@ -1,19 +1,17 @@
 // triscope: the window, and subcommands over the same core.
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <exception>
 #include <new>
 
 #include "cli/arguments.h"
 #include "cli/command_files.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "core/base/stop.h"
 
 namespace triscope {
 
 ExitCode fail(const Error& error) {
-  fmt::print(stderr, "triscope: {}\n", describe(error));
+  say("triscope: {}\n", describe(error));
   return error.code;
 }
 
@@ -31,7 +29,7 @@ ExitCode runProgram(int argc, const char* const* argv) {
           return files.ok() ? runCommand(options) : fail(files.error());
         },
         std::get<Options>(parsed));
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+  if (!endOfAnswers())
     return fail(Error{.code = ExitCode::cannot_write,
                       .message = "cannot write to the standard output",
                       .hint = "is the disk full, or the reader gone?"});
@@ -39,9 +37,7 @@ ExitCode runProgram(int argc, const char* const* argv) {
 }
 
 ExitCode defect(const char* what) {
-  std::fprintf(stderr,
-               "triscope: internal error: %s\nThis is a defect of the program; please report it with the input.\n",
-               what);
+  say("triscope: internal error: {}\nThis is a defect of the program; please report it with the input.\n", what);
   return ExitCode::internal;
 }
 
@@ -51,6 +47,7 @@ ExitCode defect(const char* what) {
 int main(int argc, char** argv) {
   using namespace triscope;
   endOnSignals();
+  holdStandardStreams();
   try {
     return static_cast<int>(runProgram(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -1,11 +1,10 @@
 // triscope mesh: runs the method without a window and writes what was asked for.
-#include <fmt/format.h>
-
 #include <numeric>
 #include <optional>
 
 #include "cli/carry_on.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/outputs.h"
 #include "core/base/output_set.h"
 #include "core/explain/bound_text.h"
@@ -22,25 +21,22 @@ void warnOfUnusualSettings(const Settings& settings) {
   for (const SettingInfo& info : settingTable()) {
     const double value = settingValue(settings, info);
     if (outsidePaper(info, value))
-      fmt::print(stderr, "note: {} = {:g} is outside the paper's {:g} to {:g}\n", info.key, value, info.paperLow,
-                 info.paperHigh);
+      say("note: {} = {:g} is outside the paper's {:g} to {:g}\n", info.key, value, info.paperLow, info.paperHigh);
   }
 }
 
 void summarise(const MeshState& state, const Quality& quality, double seconds) {
-  fmt::print(stderr, "{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
+  say("{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
   if (state.stage > Stage::carve)
-    fmt::print(
-        stderr, ": aspect {}, area ratio {}, edge ratio {}, angles {} to {} degrees, {} obtuse",
+    say(": aspect {}, area ratio {}, edge ratio {}, angles {} to {} degrees, {} obtuse",
         besideBound(quality.aspectMax, Bounds::aspect, 2), besideBound(quality.areaRatioMax, Bounds::areaRatio, 2),
         besideBound(quality.edgeRatioMax, Bounds::edgeRatio, 2), besideBound(quality.minAngle, Bounds::minAngle, 1),
         besideBound(quality.maxAngle, Bounds::maxAngle, 1), quality.obtuse);
-  fmt::print(stderr, "\n");
+  say("\n");
   if (state.stage < Stage::refine) return;
   for (const WorstMeasure& worst : worstOf(quality))
-    if (!worst.met()) fmt::print(stderr, "note: {}\n", unmetText(state.mesh, quality, worst));
-  if (const std::string undercut = undercutText(state, quality); !undercut.empty())
-    fmt::print(stderr, "note: {}\n", undercut);
+    if (!worst.met()) say("note: {}\n", unmetText(state.mesh, quality, worst));
+  if (const std::string undercut = undercutText(state, quality); !undercut.empty()) say("note: {}\n", undercut);
 }
 
 /// Everything that was asked for. Where the method cannot go on only the report and the events are written: they say
@@ -91,7 +87,7 @@ ExitCode runCommand(const MeshCommand& options) {
   if (state->failed) return fail(failureOf(*state));
   if (!options.quiet) {
     summarise(*state, quality, std::accumulate(seconds->begin(), seconds->end(), 0.0));
-    for (const std::string& path : paths) fmt::print(stderr, "wrote {}\n", path);
+    for (const std::string& path : paths) say("wrote {}\n", path);
   }
   return ExitCode::ok;
 }

@@ -1,4 +1,5 @@
 #include "cli/progress_line.h"
+#include "cli/messages.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -43,7 +44,7 @@ bool ProgressLine::due() {
 
 void ProgressLine::show(const std::string& line) {
   if (!due()) return;
-  fmt::print(stderr, "\r{}\x1b[K", line);
+  sayText(fmt::format("\r{}\x1b[K", line));
   std::fflush(stderr);
 }
 
@@ -61,7 +62,7 @@ void ProgressLine::show(const MeshState& state) {
                        "", kBarWidth - filled, color_ ? "\x1b[0m" : "", triangles, roughCount(state.estimatedTriangles),
                        bytesText(estimateOf(state).bytes), line);
   }
-  fmt::print(stderr, "\r{}\x1b[K", line);
+  sayText(fmt::format("\r{}\x1b[K", line));
   std::fflush(stderr);
 }
 
@@ -69,7 +70,7 @@ void ProgressLine::clear() {
   if (!shown_) return;
   shown_ = false;
   noteProgressShown(false);
-  fmt::print(stderr, "\r\x1b[K");
+  sayText("\r\x1b[K");
   std::fflush(stderr);
 }
 

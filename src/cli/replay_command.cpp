@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/progress_line.h"
 #include "core/domain/read.h"
 #include "core/method/pipeline.h"
@@ -26,14 +27,12 @@ Error unmet(std::string message, std::string hint, const std::string& file) {
 /// has been edited.
 void noteChanges(const SessionFile& session, bool quiet) {
   if (quiet) return;
-  if (const std::string note = versionNote(session.madeBy); !note.empty())
-    fmt::print(stderr, "note: the session was {}\n", note);
+  if (const std::string note = versionNote(session.madeBy); !note.empty()) say("note: the session was {}\n", note);
   const Result<std::string> text = readTextFile(session.domainFile);
   if (!text.ok())
-    fmt::print(stderr, "note: {} is not there; the session's own copy is used\n", session.domainFile);
+    say("note: {} is not there; the session's own copy is used\n", session.domainFile);
   else if (*text != session.domainText)
-    fmt::print(stderr, "note: the session was saved with another text than that of {}; its own copy is used\n",
-               session.domainFile);
+    say("note: the session was saved with another text than that of {}; its own copy is used\n", session.domainFile);
 }
 
 /// What differs first, of the stages recorded and those of this run.
@@ -80,7 +79,7 @@ ExitCode runCommand(const ReplayCommand& options) {
       });
   progress.clear();
   if (const std::optional<Error> differs = difference(*session, now, options.file)) return fail(*differs);
-  fmt::print("{}: {} stage ends, all as recorded\n", options.file, session->hashes.size());
+  answer("{}: {} stage ends, all as recorded\n", options.file, session->hashes.size());
   return ExitCode::ok;
 }
 

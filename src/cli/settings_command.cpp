@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/messages.h"
 
 namespace triscope {
 namespace {
@@ -25,10 +26,10 @@ std::string paperRange(const SettingInfo& info) {
 
 ExitCode runCommand(const SettingsCommand&) {
   constexpr auto row = "{:<16} {:<3} {:<8} {:<14} {:<13} {:<10} {}\n";
-  fmt::print(fmt::runtime(row), "setting", "", "default", "range", "paper's range", "unit", "what it does");
+  answer(fmt::runtime(row), "setting", "", "default", "range", "paper's range", "unit", "what it does");
   for (const SettingInfo& info : settingTable())
-    fmt::print(fmt::runtime(row), info.key, info.symbol, number(info, settingValue(Settings{}, info)), range(info),
-               paperRange(info), info.unit, info.help);
+    answer(fmt::runtime(row), info.key, info.symbol, number(info, settingValue(Settings{}, info)), range(info),
+           paperRange(info), info.unit, info.help);
   return ExitCode::ok;
 }
 

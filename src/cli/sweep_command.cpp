@@ -5,6 +5,7 @@
 
 #include "cli/carry_on.h"
 #include "cli/commands.h"
+#include "cli/messages.h"
 #include "cli/progress_line.h"
 #include "core/base/output_set.h"
 #include "core/study/parameter_sweep.h"
@@ -38,12 +39,12 @@ ExitCode runCommand(const SweepCommand& options) {
 
   const std::string csv = csvOf(rows);
   if (options.output.empty()) {
-    std::fwrite(csv.data(), 1, csv.size(), stdout);
+    answerText(csv);
     return ExitCode::ok;
   }
   if (const Status written = files.write(options.output, csv); !written.ok()) return fail(written.error());
   if (const Status written = files.commit(); !written.ok()) return fail(written.error());
-  if (!options.quiet) fmt::print(stderr, "wrote {}\n", options.output);
+  if (!options.quiet) say("wrote {}\n", options.output);
   return ExitCode::ok;
 }
 

@@ -74,6 +74,13 @@ class Overwrites(program.ProgramTest):
         self.refused("figure", domain, "-o", x, "-o", x)
         self.refused("--state-file", x, "--preferences", x)
 
+    def test_an_input_called_like_a_temporary_file(self):
+        os.symlink(".x.msh.99999-0.tmp", self.path("y.json"))
+        for name in (".x.msh.99999-0.tmp", "y.json"):
+            self.write(".x.msh.99999-0.tmp", self.text)
+            self.expect(OK, run("mesh", self.path(name), "-q", "-o", self.path("x.msh")))
+            self.assertEqual((self.folder / name).read_text(encoding="utf-8"), self.text)
+
     def test_it_is_known_before_any_work(self):
         os.mkfifo(self.path("pipe"))
         self.before = self.files()

@@ -1,9 +1,10 @@
 """What the command line takes, refuses and says."""
 
+import json
 import re
 
 import program
-from program import NO_INPUT, OK, STEP, USAGE, run
+from program import BAD_DATA, NO_INPUT, OK, STEP, USAGE, run
 
 
 class Help(program.ProgramTest):
@@ -114,6 +115,53 @@ class NoInput(program.ProgramTest):
 
     def test_folder_instead_of_a_file(self):
         self.expect(NO_INPUT, run("mesh", self.folder, "-o", self.path("a.msh")))
+
+
+class WhatOthersWrote(program.ProgramTest):
+    """Names in a file neither command the terminal nor fill it."""
+
+    NAME = "\x1b[2J\x9b31m\r\ntriscope: fine\x7f" + 100000 * "x"
+    SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
+    HOLE = [[0.4, 0.4], [0.6, 0.4], [0.6, 0.6], [0.4, 0.6]]
+
+    def plain(self, text):
+        self.assertNotRegex(text, "[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+        self.assertNotIn("\ntriscope: fine", text)
+        self.assertLess(len(text), 3000)
+
+    def domain(self, **members):
+        return self.write("d.json", json.dumps({"outer": self.SQUARE, **members}, ensure_ascii=False))
+
+    def test_a_domain_that_is_wrong(self):
+        hostile = {"name": self.NAME, "points": self.HOLE}
+        beyond = {"name": self.NAME + "y", "points": [[x + 5, y] for x, y in self.HOLE]}
+        crossing = {"points": [[x + 0.1, y + 0.1] for x, y in self.HOLE]}
+        for members in ({"holes": [beyond]}, {"holes": [hostile, crossing]}, {"holes": [hostile, hostile]},
+                        {"holes": [hostile], "density": [{"loop": "none", "length": 1}]},
+                        {"density": [{"loop": self.NAME, "length": 1}]}, {"density": [{"name": self.NAME}]},
+                        {"density": [{self.NAME: 1}]}, {"outer": {"kind": self.NAME}}):
+            with self.subTest(list(members)):
+                error = self.expect(BAD_DATA, run("mesh", self.domain(**members), "-o", self.path("a.msh"))).stderr
+                self.plain(error)
+                self.assertEqual(error.count("\n"), 1)
+        for text in ('{"min_edge_length": 1' + 100000 * "0" + "}", '{"a": 1, "a": 2}'.replace("a", 1000 * "a")):
+            self.plain(self.expect(BAD_DATA, run("mesh", self.write("d.json", text), "-o", self.path("a.msh"))).stderr)
+
+    def test_notes_and_answers(self):
+        self.domain(min_edge_length=0.1, density=[{"name": self.NAME, "at": [0.5, 0.5], "rank": 1}],
+                    holes=[{"name": self.NAME, "points": self.HOLE}])
+        process = run("mesh", self.path("d.json"), "-o", self.path("\x1ba.msh"), "--set", "min_edge_length=0.2")
+        self.plain(self.expect(OK, process).stderr)
+        self.assertIn("wrote ", process.stderr)
+        self.expect(OK, run("mesh", STEP, "-q", "-o", self.path("b.msh")))
+        self.plain(run("check", self.path("b.msh"), "--domain", self.path("d.json")).stdout)
+        self.plain(self.expect(OK, run("debug", self.path("d.json"), "--print", "why:cell=1")).stdout)
+
+    def test_arguments(self):
+        for arguments in (("--\x1b",), ("mesh", "\x1b"), ("mesh", STEP, "-o", self.path("\x9b.xyz")),
+                          ("mesh", STEP, "-o", self.path("a.msh"), "--set", "\x1b=1"),
+                          ("mesh", STEP, "-o", self.path("a.msh"), "--set", "omega=\x1b")):
+            self.plain(run(*arguments).stderr)
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@
 #include <set>
 
 #include "core/base/file_identity.h"
+#include "core/base/temporary_name.h"
 
 namespace triscope {
 namespace {
@@ -214,6 +215,15 @@ TEST_F(Outputs, ClearWhatProgramsThatAreGoneLeftBehind) {
   ::close(live);
   EXPECT_EQ(names(), (Names{"a", ".a.1-0.tmp", ".a.tmp", ".a.x-0.tmp", ".a.12-.tmp", "a.12-0.tmp", ".ab.12-0.tmp",
                             ".a.12-0.tmp~"}));
+}
+
+TEST_F(Outputs, AnInputThatIsCalledLikeATemporaryFileIsNotCleared) {
+  put(".o.999999-0.tmp", "input");
+  put(".o.999999-1.tmp", "stale");
+  fs::create_symlink(".o.999999-0.tmp", path("input"));
+  keepFromClearing(path("input"));
+  ASSERT_TRUE(writeWhole(path("o"), "o").ok());
+  EXPECT_EQ(names(), (Names{"o", "input", ".o.999999-0.tmp"}));
 }
 
 TEST_F(Outputs, AreNotClearedByAnotherWriterOfTheSameName) {

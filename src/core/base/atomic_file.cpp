@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -57,12 +58,14 @@ AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
       temporary_(std::exchange(other.temporary_, {})),
       old_(std::exchange(other.old_, {})),
+      held_(std::move(other.held_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       oldDescriptor_(std::exchange(other.oldDescriptor_, -1)),
       size_(other.size_),
       started_(other.started_),
       flush_(other.flush_),
       direct_(other.direct_),
+      holds_(other.holds_),
       fresh_(other.fresh_) {}
 
 AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
@@ -71,12 +74,14 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     path_ = std::move(other.path_);
     temporary_ = std::exchange(other.temporary_, {});
     old_ = std::exchange(other.old_, {});
+    held_ = std::move(other.held_);
     descriptor_ = std::exchange(other.descriptor_, -1);
     oldDescriptor_ = std::exchange(other.oldDescriptor_, -1);
     size_ = other.size_;
     started_ = other.started_;
     flush_ = other.flush_;
     direct_ = other.direct_;
+    holds_ = other.holds_;
     fresh_ = other.fresh_;
   }
   return *this;
@@ -105,6 +110,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path, Flush flush) {
     return Error{
         .code = ExitCode::cannot_write, .message = "no file name given", .hint = "name a file", .file = {}, .loop = {}};
   }
+  if (const std::optional<int> descriptor = descriptorNamed(path)) return onDescriptor(path, *descriptor, flush);
   struct stat info{};
   const bool exists = ::stat(path.c_str(), &info) == 0;  // of what a link points at
   if (exists && S_ISDIR(info.st_mode)) return cannotWrite(path, "cannot write", EISDIR);
@@ -140,9 +146,29 @@ Result<AtomicFile> AtomicFile::create(const std::string& path, Flush flush) {
   return cannotWrite(path, "cannot create a file", errno);
 }
 
+Result<AtomicFile> AtomicFile::onDescriptor(const std::string& path, int descriptor, Flush flush) {
+  const int flags = ::fcntl(descriptor, F_GETFL);
+  if (flags >= 0 && (flags & O_ACCMODE) == O_RDONLY) return cannotWrite(path, "cannot write", EBADF);
+  // Not opened anew by its name: that would write to the beginning of the file.
+  const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+  if (copy < 0) return cannotWrite(path, "cannot open for writing", errno);
+  AtomicFile file(path, {}, copy, flush);
+  struct stat info{};
+  file.holds_ = ::fstat(copy, &info) == 0 && S_ISREG(info.st_mode);
+  return file;
+}
+
 Status AtomicFile::write(std::string_view text) {
   TRISCOPE_CHECK(descriptor_ >= 0, "nothing is written to a file that is complete");
+  if (holds_) {
+    held_ += text;
+    return success();
+  }
   if (direct_ && !text.empty()) noteWritten(Written::direct);
+  return put(text);
+}
+
+Status AtomicFile::put(std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = ::write(descriptor_, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
@@ -158,10 +184,7 @@ Status AtomicFile::write(std::string_view text) {
 }
 
 Status AtomicFile::complete() {
-  if (direct_) {
-    if (::close(std::exchange(descriptor_, -1)) != 0) return failure("cannot finish writing");
-    return success();
-  }
+  if (direct_) return holds_ ? success() : close();
   struct stat old{};
   if (::lstat(path_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
     const bool owned = ::fchown(descriptor_, old.st_uid, old.st_gid) == 0;
@@ -173,6 +196,17 @@ Status AtomicFile::complete() {
   if (flush_ == Flush::yes && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS)
     return failure("cannot finish writing");
   return success();
+}
+
+Status AtomicFile::close() {
+  return ::close(std::exchange(descriptor_, -1)) == 0 ? success() : failure("cannot finish writing");
+}
+
+Status AtomicFile::deliver() {
+  if (!holds_) return success();
+  if (!held_.empty()) noteWritten(Written::files);
+  if (Status written = put(held_); !written) return written;
+  return close();
 }
 
 void AtomicFile::keepOld() {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "core/base/shown_text.h"
+
 namespace triscope {
 
 namespace {
@@ -43,7 +45,8 @@ class TreeBuilder {
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const auto column = before.size() - (before.rfind('\n') + 1) + 1;  // npos + 1 == 0
     if (exception.id == kNumberOverflow) {
-      error.message = fmt::format("the number {} ending at line {}, column {} is too large", token, line, column);
+      error.message =
+          fmt::format("the number {} ending at line {}, column {} is too large", shown(token), line, column);
       error.hint = "use finite numbers of magnitude below 1e30";
     } else {
       error.message = fmt::format("not valid JSON at line {}, column {}: unexpected {}", line, column, found(offset));
@@ -69,7 +72,7 @@ class TreeBuilder {
     std::sort(keys.begin(), keys.end());
     const auto twice = std::adjacent_find(keys.begin(), keys.end());
     if (twice == keys.end()) return true;
-    error.message = fmt::format("the key \"{}\" is given twice in one object", *twice);
+    error.message = fmt::format("the key \"{}\" is given twice in one object", shown(*twice));
     error.hint = "keep one of the two";
     return false;
   }

@@ -47,6 +47,8 @@ Status OutputSet::commit() {
   std::set<std::string> folders;
   {
     const Undisturbed whole;
+    for (Output& output : outputs_)
+      if (const Status delivered = output.file.deliver(); !delivered) return delivered;
     if (outputs_.size() > 1)
       for (Output& output : outputs_) output.file.keepOld();
     for (auto output = outputs_.begin(); output != outputs_.end(); ++output) {

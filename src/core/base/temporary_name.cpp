@@ -11,6 +11,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/base/file_identity.h"
+
 namespace triscope {
 namespace {
 
@@ -56,6 +58,13 @@ bool lockTemporary(int descriptor) {
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
   struct stat info{};
   return ::fstat(descriptor, &info) != 0 || info.st_nlink > 0;  // cleared between its making and the lock
+}
+
+void keepFromClearing(const std::string& path) {
+  const std::string name = targetOf(path).filename().string();
+  if (!name.starts_with('.') || !name.ends_with(kExtension)) return;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // stays open, and so locked
+  if (descriptor >= 0) (void)lockTemporary(descriptor);
 }
 
 void clearStale(const fs::path& target) {

@@ -13,6 +13,9 @@ std::filesystem::path temporaryName(const std::filesystem::path& target, int n);
 /// says true.
 bool lockTemporary(int descriptor);
 
+/// Keeps an input that may be called like a temporary file from being cleared as one, until this program ends.
+void keepFromClearing(const std::string& path);
+
 /// Removes temporary files for `target` that no running program has locked.
 void clearStale(const std::filesystem::path& target);
 

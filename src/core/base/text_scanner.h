@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/base/shown_text.h"
 
 namespace triscope {
 
@@ -118,14 +119,9 @@ class TextScanner {
     if (found.empty()) {
       fail(fmt::format("the file ends where {} was expected", what), "the file is cut short");
     } else {
-      fail(fmt::format("expected {} for {}, found '{}'", wanted, what, printable(found)),
+      fail(fmt::format("expected {} for {}, found '{}'", wanted, what, shown(found, 40)),
            "correct the file or write it anew");
     }
-  }
-  static std::string printable(std::string_view found) {
-    std::string out(found.substr(0, 40));
-    for (char& c : out) c = std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '?';
-    return out;
   }
 
   std::string_view text_;

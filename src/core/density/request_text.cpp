@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include "core/base/number.h"
+#include "core/base/shown_text.h"
 #include "core/density/sources.h"
 
 namespace triscope {
 
 std::string requestName(const Domain& domain, std::size_t index) {
   const std::string& name = domain.density[index].name;
-  return name.empty() ? fmt::format("density entry {}", index + 1) : fmt::format("density entry '{}'", name);
+  return name.empty() ? fmt::format("density entry {}", index + 1) : fmt::format("density entry '{}'", shown(name));
 }
 
 std::vector<std::string> requestsCut(const Domain& domain, double minEdge) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/shown_text.h"
 #include "core/domain/orient.h"
 #include "core/domain/outline.h"
 #include "core/domain/sweep.h"
@@ -78,7 +79,7 @@ class Namer {
   [[nodiscard]] std::string withPlace(std::string name, std::size_t chord, const std::string& own) const {
     const int piece = draft_.sources[chords_[chord].curve].piece;
     if (piece >= 0) name += fmt::format(" of piece {}", piece);
-    if (loop(chord) != own) name += fmt::format(" of loop '{}'", loop(chord));
+    if (loop(chord) != own) name += fmt::format(" of loop '{}'", shown(loop(chord)));
     return name;
   }
 
@@ -138,7 +139,8 @@ Status checkNesting(const DomainDraft& draft, const std::vector<Chord>& chords, 
     Error error{.loop = loop.name, .point = names.point(i, chords[i].a), .at = chords[i].a};
     if (loop.role == LoopRole::outer) {
       if (around < 0) continue;
-      error.message = fmt::format("the outer loop lies inside '{}'", loops[static_cast<std::size_t>(around)].name);
+      error.message =
+          fmt::format("the outer loop lies inside '{}'", shown(loops[static_cast<std::size_t>(around)].name));
       error.hint = "make the loop that encloses everything the \"outer\" one";
       return error;
     }
@@ -148,7 +150,7 @@ Status checkNesting(const DomainDraft& draft, const std::vector<Chord>& chords, 
       error.message = fmt::format("{} lies outside the outer loop", what);
       error.hint = "move it inside, or remove it";
     } else {
-      error.message = fmt::format("{} lies inside '{}'", what, loops[static_cast<std::size_t>(around)].name);
+      error.message = fmt::format("{} lies inside '{}'", what, shown(loops[static_cast<std::size_t>(around)].name));
       error.hint = "remove one of the two; what lies in a hole is not meshed";
     }
     return error;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/json_value.h"
+#include "core/base/shown_text.h"
 #include "core/domain/check.h"
 #include "core/domain/draft.h"
 #include "core/domain/read_density.h"
@@ -31,7 +32,8 @@ Status checkTopKeys(const Object& root) {
     if (std::find(kKeys.begin(), kKeys.end(), member.key) != kKeys.end()) continue;
     const std::string_view meant = nearestKey(member.key, kKeys);
     if (meant.empty()) continue;
-    return complaint({}, fmt::format("unknown key \"{}\"", member.key), fmt::format("did you mean \"{}\"?", meant));
+    return complaint({}, fmt::format("unknown key \"{}\"", shown(member.key)),
+                     fmt::format("did you mean \"{}\"?", meant));
   }
   return success();
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/shown_text.h"
 #include "core/domain/read_values.h"
 
 namespace triscope {
@@ -70,13 +71,13 @@ Status readAlong(const JsonValue& value, const Domain& domain, const ReadPlace& 
   }
   request.where = Where::loop;
   request.loop = *value.text();
-  std::vector<std::string_view> names;
+  std::vector<std::string> names;
   for (const Loop& loop : domain.loops) {
     if (loop.name == request.loop) return success();
-    if (names.size() < 12) names.emplace_back(loop.name);
+    if (names.size() < 12) names.push_back(shown(loop.name));
   }
   return complaint(
-      place, fmt::format("there is no loop '{}'", request.loop),
+      place, fmt::format("there is no loop '{}'", shown(request.loop)),
       fmt::format("there are: {}{}", fmt::join(names, ", "), names.size() < domain.loops.size() ? ", …" : ""));
 }
 
@@ -128,7 +129,7 @@ Result<DensityRequest> readRequest(const JsonValue& value, int number, const Dom
   const auto description = readText(*object, "description", place, "");
   if (!description) return description.error();
   request.description = *description;
-  if (!name->empty()) place.entry = fmt::format("density entry '{}'", *name);
+  if (!name->empty()) place.entry = fmt::format("density entry '{}'", shown(*name));
   if (auto status = checkKeys(*object, kKeys, place); !status) return status.error();
 
   constexpr std::array<std::string_view, 3> wheres{"at", "loop", "box"};

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/shown_text.h"
 #include "core/domain/add_curves.h"
 #include "core/domain/arc.h"
 #include "core/domain/read_values.h"
@@ -190,7 +191,7 @@ Status readKind(const Reading& reading, std::string_view otherwise) {
     const auto status = checkKeys(reading.object, keys, reading.place);
     return status ? kind.read(reading) : status;
   }
-  return complaint(reading.place, fmt::format("unknown kind \"{}\"", *name),
+  return complaint(reading.place, fmt::format("unknown kind \"{}\"", shown(*name)),
                    fmt::format("known here: {}", fmt::join(possible, ", ")));
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/shown_text.h"
+
 namespace triscope {
 
 namespace {
@@ -54,7 +56,7 @@ Status checkKeys(const JsonValue::Object& object, std::span<const std::string_vi
   for (const JsonMember& member : object) {
     if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
     const std::string_view meant = nearestKey(member.key, known);
-    return complaint(place, fmt::format("unknown key \"{}\"", member.key),
+    return complaint(place, fmt::format("unknown key \"{}\"", shown(member.key)),
                      meant.empty() ? fmt::format("known here: {}", fmt::join(known, ", "))
                                    : fmt::format("did you mean \"{}\"?", meant));
   }

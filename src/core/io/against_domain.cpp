@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "core/base/shown_text.h"
 #include "core/geometry/expansion.h"
 #include "core/mesh/edit.h"
 
@@ -90,11 +91,11 @@ class DomainCheck {
     const Curve& curve = domain_.curves[loop.firstCurve + index];
     const std::int32_t first = vertexAt(curve.a), last = vertexAt(curve.b);
     if (first < 0) {
-      add(curve.a, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index, loop.name));
+      add(curve.a, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index, shown(loop.name)));
     }
     // The end of a chain starts no other curve.
     if (last < 0 && loop.role == LoopRole::chain && index + 1 == loop.curveCount) {
-      add(curve.b, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index + 1, loop.name));
+      add(curve.b, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index + 1, shown(loop.name)));
     }
     if (first < 0 || last < 0 || curve.kind != CurveKind::line) return;
     for (std::int32_t v = first; v != last;) {
@@ -103,7 +104,7 @@ class DomainCheck {
       if (next < 0) {
         add(pointOf(mesh_, v), v,
             fmt::format("after point {} of loop '{}', no edge of the mesh follows the boundary from vertex {}", index,
-                        loop.name, v));
+                        shown(loop.name), v));
         return;
       }
       v = next;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/number.h"
+#include "core/base/shown_text.h"
 
 namespace triscope {
 namespace {
@@ -143,13 +144,13 @@ Status setSetting(Settings& settings, std::string_view key, std::string_view val
   const SettingInfo* const info = findSetting(key);
   if (info == nullptr)
     return Error{.code = ExitCode::usage,
-                 .message = fmt::format("there is no setting '{}'", key),
+                 .message = fmt::format("there is no setting '{}'", shown(key)),
                  .hint = fmt::format("the settings are {}", keys())};
   const bool isSwitch = std::holds_alternative<bool Settings::*>(info->member);
   const std::optional<double> number = isSwitch ? parseSwitch(value) : parseNumber(value);
   if (!number)
-    return refused(*info,
-                   fmt::format("'{}' is no {} for the setting '{}'", value, isSwitch ? "switch" : "number", key));
+    return refused(
+        *info, fmt::format("'{}' is no {} for the setting '{}'", shown(value), isSwitch ? "switch" : "number", key));
   return setSetting(settings, *info, *number);
 }
 
