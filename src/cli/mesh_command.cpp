@@ -27,13 +27,13 @@ void warnOfUnusualSettings(const Settings& settings) {
 
 void summarise(const MeshState& state, const Quality& quality, double seconds) {
   say("{} triangles, {} vertices in {:.2f} s", quality.triangles, quality.vertices, seconds);
-  if (state.stage > Stage::carve)
+  if (isCarved(state.stage))
     say(": aspect {}, area ratio {}, edge ratio {}, angles {} to {} degrees, {} obtuse",
         besideBound(quality.aspectMax, Bounds::aspect, 2), besideBound(quality.areaRatioMax, Bounds::areaRatio, 2),
         besideBound(quality.edgeRatioMax, Bounds::edgeRatio, 2), besideBound(quality.minAngle, Bounds::minAngle, 1),
         besideBound(quality.maxAngle, Bounds::maxAngle, 1), quality.obtuse);
   say("\n");
-  if (state.stage < Stage::refine) return;
+  if (!isPastRounds(state.stage)) return;
   for (const WorstMeasure& worst : worstOf(quality))
     if (!worst.met()) say("note: {}\n", unmetText(state.mesh, quality, worst));
   if (const std::string undercut = undercutText(state, quality); !undercut.empty()) say("note: {}\n", undercut);

@@ -55,7 +55,7 @@ void ProgressLine::show(const MeshState& state) {
   if (state.search.part != ConstraintSearch::Part::over)
     line += fmt::format(", {:.0f} %", 100.0 * fractionOf(state.search, *state.domain));
   if (state.round > 0) line += fmt::format(", round {}", state.round);
-  if (state.estimatedTriangles > 0.0 && state.stage > Stage::density) {
+  if (state.estimatedTriangles > 0.0 && !makesDensity(state.stage)) {
     const double part = std::min(1.0, static_cast<double>(triangles) / state.estimatedTriangles);
     const int filled = static_cast<int>(part * kBarWidth);
     line = fmt::format("{}{:#>{}}{:->{}}{} {:>9} of about {} triangles ({})  {}", color_ ? "\x1b[36m" : "", "", filled,

@@ -78,8 +78,8 @@ std::optional<Box> regionAround(const Domain& domain, std::string_view loop) {
 ViewOptions figureView(Stage stage) {
   ViewOptions view;
   view.decision = false;
-  view.quadtree = stage <= Stage::density;
-  view.constraints = stage <= Stage::density;
+  view.quadtree = makesDensity(stage);
+  view.constraints = makesDensity(stage);
   view.cells = stage == Stage::constraints ? CellColoring::none : CellColoring::rank;
   view.boundaryPoints = stage >= Stage::boundary && stage <= Stage::front2;
   view.fronts = stage == Stage::front1 || stage == Stage::front2;

@@ -7,9 +7,9 @@
 namespace triscope {
 namespace {
 
-constexpr double kText = 12.5;  // sizes in pixels at 100 %
-constexpr double kLine = 18.0;  // of the labels below
-constexpr double kGap = 7.0;
+constexpr double kLabelText = 12.5;  // sizes in pixels at 100 %
+constexpr double kLine = 18.0;       // of the labels below
+constexpr double kLabelGap = 7.0;
 constexpr double kWidest = 120.0;  // of a cell
 constexpr double kHighest = 44.0;
 constexpr double kMark = 10.0;
@@ -18,7 +18,7 @@ constexpr double kFaded = 0.75;     // part of the background
 
 double widestOf(const std::vector<std::string>& texts) {
   double width = 0.0;
-  for (const std::string& text : texts) width = std::max(width, textWidth(text, kText));
+  for (const std::string& text : texts) width = std::max(width, textWidth(text, kLabelText));
   return width;
 }
 
@@ -41,7 +41,7 @@ Rect inset(const Rect& r, double by) { return {r.x + by, r.y + by, r.width - 2.0
 Point middleOf(const Rect& r) { return {r.x + 0.5 * r.width, r.y + 0.5 * r.height}; }
 
 double labelGutter(const HeatMap& map) {
-  return textWidth(map.up.title, kText, Weight::semibold) + kGap + widestOf(map.up.labels) + kGap;
+  return textWidth(map.up.title, kLabelText, Weight::semibold) + kLabelGap + widestOf(map.up.labels) + kLabelGap;
 }
 
 /// Every how many labels one is written, so that they do not touch.
@@ -81,17 +81,18 @@ class Drawing {
     const double wide = all.width / static_cast<double>(grid_.columns);
     const double high = all.height / static_cast<double>(grid_.rows);
     const double below = all.y + all.height + 14.0 * s_;
-    const double beside = all.x - kGap * s_;
-    const std::size_t columns = stride(wide, (widestOf(map_.across.labels) + kGap) * s_);
+    const double beside = all.x - kLabelGap * s_;
+    const std::size_t columns = stride(wide, (widestOf(map_.across.labels) + kLabelGap) * s_);
     for (std::size_t i = 0; i < grid_.columns; i += columns)
       label({all.x + (static_cast<double>(i) + 0.5) * wide, below}, map_.across.labels[i], Anchor::centre);
-    const std::size_t rows = stride(high, kText * 1.15 * s_);
+    const std::size_t rows = stride(high, kLabelText * 1.15 * s_);
     for (std::size_t j = 0; j < grid_.rows; j += rows)
-      label({beside, all.y + all.height - (static_cast<double>(j) + 0.5) * high + 0.36 * kText * s_}, map_.up.labels[j],
-            Anchor::right);
-    const double overhang = 0.5 * std::max(0.0, textWidth(map_.across.labels.front(), kText) * s_ - wide);
+      label({beside, all.y + all.height - (static_cast<double>(j) + 0.5) * high + 0.36 * kLabelText * s_},
+            map_.up.labels[j], Anchor::right);
+    const double overhang = 0.5 * std::max(0.0, textWidth(map_.across.labels.front(), kLabelText) * s_ - wide);
     title({beside - overhang, below}, map_.across.title, Anchor::right);
-    title({all.x - labelGutter(map_) * s_, all.y + 0.5 * all.height + 0.36 * kText * s_}, map_.up.title, Anchor::left);
+    title({all.x - labelGutter(map_) * s_, all.y + 0.5 * all.height + 0.36 * kLabelText * s_}, map_.up.title,
+          Anchor::left);
   }
 
   void here() {
@@ -151,15 +152,15 @@ class Drawing {
 
   [[nodiscard]] bool textsFit() const {
     double width = 0.0;
-    for (const HeatCell& cell : map_.cells) width = std::max(width, textWidth(cell.text, kText));
+    for (const HeatCell& cell : map_.cells) width = std::max(width, textWidth(cell.text, kLabelText));
     const Rect smallest = cellRect(grid_, 0);
-    return (width + kGap) * s_ <= smallest.width && (kText + 1.0) * s_ <= smallest.height;
+    return (width + kLabelGap) * s_ <= smallest.width && (kLabelText + 1.0) * s_ <= smallest.height;
   }
 
   void text(const FilledRect& cell, const std::string& words) {
     const Point middle = middleOf(cell.rect);
-    canvas_.text({middle.x, middle.y + 0.36 * kText * s_}, words,
-                 {kText * s_, Weight::regular, inkOn(cell.fill), {0, 0, 0, 0}, Anchor::centre});
+    canvas_.text({middle.x, middle.y + 0.36 * kLabelText * s_}, words,
+                 {kLabelText * s_, Weight::regular, inkOn(cell.fill), {0, 0, 0, 0}, Anchor::centre});
   }
 
   void marks(std::size_t k, const FilledRect& cell) {
@@ -179,11 +180,11 @@ class Drawing {
   }
 
   void label(Point at, const std::string& words, Anchor anchor) {
-    canvas_.text(at, words, {kText * s_, Weight::regular, theme_.textMuted, {0, 0, 0, 0}, anchor});
+    canvas_.text(at, words, {kLabelText * s_, Weight::regular, theme_.textMuted, {0, 0, 0, 0}, anchor});
   }
 
   void title(Point at, const std::string& words, Anchor anchor) {
-    canvas_.text(at, words, {kText * s_, Weight::semibold, theme_.text, {0, 0, 0, 0}, anchor});
+    canvas_.text(at, words, {kLabelText * s_, Weight::semibold, theme_.text, {0, 0, 0, 0}, anchor});
   }
 
   const HeatMap& map_;

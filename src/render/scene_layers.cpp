@@ -10,7 +10,7 @@ LayerKey cellsKey(const SceneInput& in, const KeyStart& start) {
   const ViewOptions& o = in.options;
   LayerKey key = start.run;
   // The tree is complete after the density stage: later ticks show the same one.
-  key << state.tree.cells.size() << (state.stage <= Stage::density ? state.tick : ~0ull);
+  key << state.tree.cells.size() << (makesDensity(state.stage) ? state.tick : ~0ull);
   return key << o.quadtree << o.cells << o.outsideCells << o.triangulation << state.mesh.triangles.empty()
              << (o.fill == TriangleFill::plain);
 }

@@ -151,7 +151,7 @@ void drawParams(const View& view, Orders& orders) {
   for (const bool refinement : {true, false}) {
     heading(view, refinement ? "Step 6: local refinements" : "Density and insertion");
     for (const SettingInfo& info : settingTable())
-      if ((info.firstStage >= Stage::refine) == refinement) row(view, orders, info);
+      if (isPastRounds(info.firstStage) == refinement) row(view, orders, info);
   }
   ImGui::Dummy({0, view.px(4)});
   const Settings standard;

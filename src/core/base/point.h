@@ -23,6 +23,8 @@ inline double length(Point a) { return std::sqrt(dot(a, a)); }
 inline double distance(Point a, Point b) { return length(b - a); }
 inline double squaredDistance(Point a, Point b) { return squaredLength(b - a); }
 inline Point midpoint(Point a, Point b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
+/// Left of the other, or below where neither is.
+inline bool leftOf(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 /// a turned by +90 degrees.
 inline Point perpendicular(Point a) { return {-a.y, a.x}; }
 

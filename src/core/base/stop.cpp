@@ -46,7 +46,7 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
                   std::atomic<Written>::is_always_lock_free,
               "a signal handler may touch nothing else");
 
-thread_local int depth = 0;  // of Undisturbed on this thread
+thread_local int nesting = 0;  // of Undisturbed on this thread
 
 // From here to onSignal() only what POSIX lets a handler call.
 
@@ -124,7 +124,7 @@ void endOnSignals() {
 }
 
 Undisturbed::Undisturbed() {
-  if (depth++ > 0) return;
+  if (nesting++ > 0) return;
   ++undisturbed;
   if (stopBy == 0) return;
   leave();
@@ -132,7 +132,7 @@ Undisturbed::Undisturbed() {
 }
 
 Undisturbed::~Undisturbed() {
-  if (--depth == 0) leave();
+  if (--nesting == 0) leave();
 }
 
 void rememberTemporary(const std::string& path) {

@@ -9,13 +9,11 @@ namespace triscope {
 
 namespace {
 
-bool before(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
 /// +1 for a counter-clockwise loop, -1 for a clockwise one: the turn at its leftmost (then lowest) point, exact.
 int senseOf(const std::vector<Chord>& chords) {
   std::size_t first = 0;
   for (std::size_t i = 1; i < chords.size(); ++i) {
-    if (before(chords[i].a, chords[first].a)) first = i;
+    if (leftOf(chords[i].a, chords[first].a)) first = i;
   }
   const std::size_t previous = (first + chords.size() - 1) % chords.size();
   return orient2d(chords[previous].a, chords[first].a, chords[first].b);

@@ -22,15 +22,16 @@ namespace {
 
 using Object = JsonValue::Object;
 
-constexpr std::array<std::string_view, 6> kKeys{"name", "min_edge_length", "outer", "holes", "segments", "density"};
+constexpr std::array<std::string_view, 6> kDomainKeys{"name",  "min_edge_length", "outer",
+                                                      "holes", "segments",        "density"};
 // The quadtree counts cells of side 4 min_edge_length in 32 bits.
 constexpr double kFinest = 1e-9;  // of the domain's larger side
 
 /// Other keys are the author's own, unless they look like a slip of the finger.
 Status checkTopKeys(const Object& root) {
   for (const JsonMember& member : root) {
-    if (std::find(kKeys.begin(), kKeys.end(), member.key) != kKeys.end()) continue;
-    const std::string_view meant = nearestKey(member.key, kKeys);
+    if (std::find(kDomainKeys.begin(), kDomainKeys.end(), member.key) != kDomainKeys.end()) continue;
+    const std::string_view meant = nearestKey(member.key, kDomainKeys);
     if (meant.empty()) continue;
     return complaint({}, fmt::format("unknown key \"{}\"", shown(member.key)),
                      fmt::format("did you mean \"{}\"?", meant));

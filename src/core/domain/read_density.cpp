@@ -17,7 +17,7 @@ using Object = JsonValue::Object;
 using Where = DensityRequest::Where;
 
 constexpr int kCoarsestRank = 64;
-constexpr std::array<std::string_view, 7> kKeys{"name", "description", "at", "loop", "box", "rank", "length"};
+constexpr std::array<std::string_view, 7> kRequestKeys{"name", "description", "at", "loop", "box", "rank", "length"};
 
 bool meets(const Box& box, Point lo, Point hi) {
   return lo.x <= box.hi.x && hi.x >= box.lo.x && lo.y <= box.hi.y && hi.y >= box.lo.y;
@@ -130,7 +130,7 @@ Result<DensityRequest> readRequest(const JsonValue& value, int number, const Dom
   if (!description) return description.error();
   request.description = *description;
   if (!name->empty()) place.entry = fmt::format("density entry '{}'", shown(*name));
-  if (auto status = checkKeys(*object, kKeys, place); !status) return status.error();
+  if (auto status = checkKeys(*object, kRequestKeys, place); !status) return status.error();
 
   constexpr std::array<std::string_view, 3> wheres{"at", "loop", "box"};
   const auto where = whichOf(*object, wheres, place);

@@ -12,8 +12,6 @@ namespace {
 
 constexpr std::int32_t kUnknown = -2;
 
-bool before(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-
 /// An end of a chord: the event that starts or finishes it.
 struct End {
   Point at;
@@ -33,7 +31,7 @@ class Sweep {
   Sweep(const Domain& domain, const std::vector<Chord>& chords) : domain_(domain), chords_(chords) {
     edges_.reserve(chords.size());
     for (const Chord& chord : chords) {
-      edges_.push_back(before(chord.a, chord.b) ? Edge{chord.a, chord.b} : Edge{chord.b, chord.a});
+      edges_.push_back(leftOf(chord.a, chord.b) ? Edge{chord.a, chord.b} : Edge{chord.b, chord.a});
     }
     places_.resize(chords.size());
     above_.resize(chords.size(), kUnknown);
@@ -62,7 +60,7 @@ class Sweep {
       const Edge& e = (*edges)[s];
       const Edge& f = (*edges)[t];
       if (e.lo == f.lo) return orient2d(e.lo, e.hi, f.hi) > 0;
-      if (before(e.lo, f.lo)) return orient2d(e.lo, e.hi, f.lo) > 0;
+      if (leftOf(e.lo, f.lo)) return orient2d(e.lo, e.hi, f.lo) > 0;
       return orient2d(f.lo, f.hi, e.lo) < 0;
     }
     bool operator()(std::size_t s, Point p) const { return orient2d((*edges)[s].lo, (*edges)[s].hi, p) > 0; }
@@ -81,7 +79,7 @@ class Sweep {
       ends.push_back({chords_[i].b, i, false, !forward});
     }
     std::sort(ends.begin(), ends.end(), [](const End& e, const End& f) {
-      if (before(e.at, f.at) || before(f.at, e.at)) return before(e.at, f.at);
+      if (leftOf(e.at, f.at) || leftOf(f.at, e.at)) return leftOf(e.at, f.at);
       return e.chord != f.chord ? e.chord < f.chord : e.isA && !f.isA;
     });
     return ends;

@@ -78,7 +78,7 @@ std::vector<Line> ofCell(const MeshState& state, const Cell& cell, std::uint32_t
                          trianglesInCell(cell.rank, cell.density)))};
   if (cell.child >= 0)
     lines.push_back(linked(fmt::format("It was split into cells {} to {}.", cell.child, cell.child + 3)));
-  else if (state.stage > Stage::density)
+  else if (!makesDensity(state.stage))
     lines.push_back(linked(fmt::format("Its type is {}.", kCellTypes[static_cast<std::size_t>(cell.type)])));
   return lines;
 }

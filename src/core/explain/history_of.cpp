@@ -13,7 +13,7 @@ namespace {
 
 bool isRefusal(const Event& e) { return wordsOf(e.kind).picture == Picture::refusal; }
 
-bool alike(const Event& a, const Event& b) {
+bool sameRefusal(const Event& a, const Event& b) {
   return isRefusal(a) && a.kind == b.kind && a.rule == b.rule && a.refusal == b.refusal;
 }
 
@@ -43,7 +43,7 @@ std::vector<Line> historyOf(Events events, Ref ref, const TriangleFacts& facts) 
   }
   for (std::size_t k = 0; k < indices.size();) {
     std::size_t last = k;
-    while (last + 1 < indices.size() && alike(events[indices[k]], events[indices[last + 1]])) ++last;
+    while (last + 1 < indices.size() && sameRefusal(events[indices[k]], events[indices[last + 1]])) ++last;
     std::string text = told(events, indices[last]);
     if (last > k) text += fmt::format(" The last of {} times since event {}.", last - k + 1, indices[k]);
     if (story) text += changeOf(*story, indices[last]);

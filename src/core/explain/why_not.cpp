@@ -46,7 +46,7 @@ bool isFor(const Event& e, std::uint32_t triangle, const TriangleFacts& facts) {
   return origin.what == Names::triangle && origin.id == triangle;
 }
 
-bool alike(const Event& a, const Event& b) {
+bool sameOutcome(const Event& a, const Event& b) {
   const bool move = does(a, kMoves) || a.kind == EventKind::vertex_kept;
   return a.kind == b.kind && a.refusal == b.refusal && (!move || a.vertex == b.vertex);
 }
@@ -54,7 +54,7 @@ bool alike(const Event& a, const Event& b) {
 void add(Events events, std::size_t index, std::vector<Outcomes>& list) {
   const Event now = events.peek(index);
   const auto same =
-      std::find_if(list.begin(), list.end(), [&](const Outcomes& o) { return alike(events.peek(o.first), now); });
+      std::find_if(list.begin(), list.end(), [&](const Outcomes& o) { return sameOutcome(events.peek(o.first), now); });
   if (same == list.end()) {
     list.push_back({index, index, 1});
   } else {

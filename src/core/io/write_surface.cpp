@@ -5,12 +5,12 @@
 namespace triscope {
 
 void writeSu2(const MeshFile& file, TextSink& out) {
-  constexpr int kLine = 3;  // VTK's cell types
-  constexpr int kTriangle = 5;
+  constexpr int kVtkLine = 3;  // VTK's cell types
+  constexpr int kVtkTriangle = 5;
   out.print(FMT_COMPILE("NDIME= 2\nNELEM= {}\n"), file.triangles.size());
   for (std::size_t i = 0; i < file.triangles.size(); ++i) {
     const auto& t = file.triangles[i];
-    out.print(FMT_COMPILE("{} {} {} {} {}\n"), kTriangle, t[0], t[1], t[2], i);
+    out.print(FMT_COMPILE("{} {} {} {} {}\n"), kVtkTriangle, t[0], t[1], t[2], i);
   }
   out.print(FMT_COMPILE("NPOIN= {}\n"), file.points.size());
   for (std::size_t i = 0; i < file.points.size(); ++i)
@@ -21,7 +21,7 @@ void writeSu2(const MeshFile& file, TextSink& out) {
     std::string tag = file.groups[g];
     for (char& c : tag) c = static_cast<unsigned char>(c) <= 0x20 || c == '%' || c == '=' ? '_' : c;
     out.print(FMT_COMPILE("MARKER_TAG= {}\nMARKER_ELEMS= {}\n"), tag, groups.of(g).size());
-    for (const MeshFile::Edge& edge : groups.of(g)) out.print(FMT_COMPILE("{} {} {}\n"), kLine, edge.a, edge.b);
+    for (const MeshFile::Edge& edge : groups.of(g)) out.print(FMT_COMPILE("{} {} {}\n"), kVtkLine, edge.a, edge.b);
   }
 }
 

@@ -92,7 +92,7 @@ void leaveStage(MeshState& state, Journal& journal) {
   if (state.stage == Stage::step2) {
     ++state.round;
     state.roundChanges = 0;
-  } else if (state.stage > Stage::repair) {
+  } else if (isPastRounds(state.stage)) {
     state.round = 0;
   }
 }
@@ -208,7 +208,7 @@ bool advanceAPiece(MeshState& state, Journal& journal) {
 }
 
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal) {
-  const auto reached = [&] { return stage == Stage::step5 ? state.stage > Stage::repair : state.stage > stage; };
+  const auto reached = [&] { return stage == Stage::step5 ? isPastRounds(state.stage) : state.stage > stage; };
   for (; limit > 0 && !reached(); --limit) {
     if (beat(state, journal) == Beat::over) break;
   }

@@ -19,7 +19,7 @@ inline constexpr std::size_t kTrianglesOfBox = 64;  // around the domain: enough
 /// force more. Before it is carved, a part of the triangles lies outside the domain.
 inline bool outgrows(const MeshState& state) {
   const std::size_t most = static_cast<std::size_t>(state.settings.maxTriangles);
-  return state.mesh.liveCount() > (state.stage > Stage::carve ? most : 2 * most + kTrianglesOfBox);
+  return state.mesh.liveCount() > (isCarved(state.stage) ? most : 2 * most + kTrianglesOfBox);
 }
 
 /// Whether that is why the run stopped.

@@ -68,7 +68,7 @@ double shortestAllowed(const MeshState& state) { return std::min(state.minEdge, 
 std::uint8_t brokenRules(const MeshState& state, std::span<const std::int32_t> changed, std::span<const Event> events,
                          double shortest) {
   // Before the carving edges may run outside the domain, across a thin part of it.
-  const double squaredShortest = state.stage > Stage::carve ? shortest * shortest * (1.0 - 1e-9) : 0.0;
+  const double squaredShortest = isCarved(state.stage) ? shortest * shortest * (1.0 - 1e-9) : 0.0;
   std::uint8_t broken = 0;
   for (const std::int32_t slot : changed)
     if (state.mesh.alive(slot)) broken |= brokenIn(state, slot, squaredShortest);

@@ -21,7 +21,7 @@ constexpr std::uint64_t kLooksPerNews = 64;                   // … where it lo
 
 /// ": aspect ratio 15, not < 4.31, at (1, 2)" of the first bound that the mesh does not meet once the rounds are over.
 std::string unmetIn(const MeshState& state) {
-  if (state.stage < Stage::refine) return {};
+  if (!isPastRounds(state.stage)) return {};
   const Quality quality = measure(state.mesh);
   for (const WorstMeasure& worst : worstOf(quality))
     if (!worst.met()) return ": " + unmetText(state.mesh, quality, worst);

@@ -28,6 +28,13 @@ enum class Stage : std::uint8_t {
 /// Whether a stage belongs to the rounds, each of which goes through all of them again.
 constexpr bool inRounds(Stage stage) { return stage >= Stage::step2 && stage <= Stage::repair; }
 
+/// Whether a stage makes the density: it comes before the first triangle.
+constexpr bool makesDensity(Stage stage) { return stage <= Stage::density; }
+/// Whether the mesh is that of the domain by then, nothing outside it being left.
+constexpr bool isCarved(Stage stage) { return stage > Stage::carve; }
+/// Whether the rounds are over by then, and with them what steps 1-5 promise.
+constexpr bool isPastRounds(Stage stage) { return stage > Stage::repair; }
+
 inline constexpr int kStageCount = static_cast<int>(Stage::finished) + 1;
 
 }  // namespace triscope

@@ -20,7 +20,7 @@ constexpr std::array<double, 4> kInward = {1.0, 0.5, 0.25, 0.125};
 constexpr std::array<Point, 8> kSideways = {
     {{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}, {0.7, 0.7}, {-0.7, 0.7}, {-0.7, -0.7}, {0.7, -0.7}}};
 constexpr std::array<double, 3> kSteps = {0.1, 0.03, 0.25};
-constexpr std::uint64_t kTries = kInward.size() + kSteps.size() * kSideways.size();
+constexpr std::uint64_t kPlacesToTry = kInward.size() + kSteps.size() * kSideways.size();
 
 // The triangles that may be poor: those that were not far from it at the start, and what has changed since.
 std::vector<std::int32_t> candidates(const MeshState& state) {
@@ -86,14 +86,14 @@ void beginPolish(MeshState& state) {
 Outcome runPolish(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   if (cursor.index == 0) choose(state);
-  for (; cursor.index < kTries * cursor.next.size(); ++cursor.index) {
-    const std::int32_t vertex = cursor.next[cursor.index / kTries];
-    const std::uint64_t number = cursor.index % kTries;
+  for (; cursor.index < kPlacesToTry * cursor.next.size(); ++cursor.index) {
+    const std::int32_t vertex = cursor.next[cursor.index / kPlacesToTry];
+    const std::uint64_t number = cursor.index % kPlacesToTry;
     if (!gather(state.mesh, vertex, room.wheel)) continue;
     const Move move{Rule::polish, vertex, placeToTry(room.wheel, pointOf(state.mesh, vertex), number)};
     const std::uint64_t changes = cursor.changes;
     decideMove(state, journal, move, kNoId, room);
-    cursor.index += cursor.changes == changes ? 1 : kTries - number;  // on to the next vertex after a move
+    cursor.index += cursor.changes == changes ? 1 : kPlacesToTry - number;  // on to the next vertex after a move
     return Outcome::decided;
   }
   return Outcome::done;
