@@ -18,14 +18,14 @@ namespace {
 
 int fail(const triscope::Error& error) {
   fmt::print(stderr, "{}\n", triscope::describe(error));
-  return static_cast<int>(error.code);
+  return static_cast<int>(error.kind);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace triscope;
-  if (argc != 3) return fail({.code = ExitCode::usage, .message = "usage: mesh_domain DOMAIN.json MESH.vtu"});
+  if (argc != 3) return fail({.kind = ErrorKind::usage, .message = "usage: mesh_domain DOMAIN.json MESH.vtu"});
 
   Result<Domain> domain = readDomain(argv[1]);
   if (!domain) return fail(domain.error());

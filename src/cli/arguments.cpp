@@ -30,7 +30,7 @@ Status applySettings(Settings& settings, const std::vector<std::string>& assignm
   for (const std::string_view assignment : assignments) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos)
-      return Error{.code = ExitCode::usage,
+      return Error{.kind = ErrorKind::usage,
                    .message = fmt::format("--set wants key=value, not '{}'", assignment),
                    .hint = "'triscope settings' lists the keys"};
     Status status = setSetting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
@@ -64,7 +64,7 @@ Status applyBox(std::optional<Box>& box, const std::string& text) {
   found.include({numbers[0], numbers[1]});
   found.include({numbers[2], numbers[3]});
   if (!good || found.width() <= 0.0 || found.height() <= 0.0)
-    return Error{.code = ExitCode::usage,
+    return Error{.kind = ErrorKind::usage,
                  .message = fmt::format("--box wants two opposite corners, not '{}'", text),
                  .hint = "write x0,y0,x1,y1, such as --box=-1,-1,2,1"};
   box = found;
@@ -260,7 +260,7 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
     if (const Status status = applySettings(mesh.settings, texts.set); !status.ok()) return complain(status.error());
     if (const Status status = applyStage(mesh.until, texts.stage); !status.ok()) return complain(status.error());
     if (mesh.outputs.empty() && mesh.report.empty() && mesh.events.empty())
-      return complain(Error{.code = ExitCode::usage,
+      return complain(Error{.kind = ErrorKind::usage,
                             .message = "there is nothing to write",
                             .hint = "name a file with -o, --report or --events"});
     return Options{mesh};

@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "core/base/result.h"
 

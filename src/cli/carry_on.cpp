@@ -89,14 +89,14 @@ Error failureOf(const MeshState& failed) {
   advance(*again, Grain::all, journal);
   for (auto event = events.rbegin(); event != events.rend(); ++event) {
     if (event->kind != EventKind::failure) continue;
-    return Error{.code = ExitCode::unmet,
+    return Error{.kind = ErrorKind::unmet,
                  .message = fmt::format("the method cannot go on in stage {}: {}{}", infoOf(event->stage).name,
                                         describe(event->refusal), hubAt(*again, *event)),
                  .hint = "look at the domain there; 'triscope figure' draws the stages before",
                  .file = failed.domain->file,
                  .at = event->at};
   }
-  return Error{.code = ExitCode::internal,
+  return Error{.kind = ErrorKind::internal,
                .message = "the method gave up without saying why",
                .hint = "please report it with the domain",
                .file = failed.domain->file};

@@ -43,7 +43,7 @@ Status checkStreams(const CommandFiles& files) {
   if (messages != nullptr && answers == nullptr) ::dup2(STDOUT_FILENO, STDERR_FILENO);
   const NamedFile* const file = answers != nullptr ? answers : messages;
   if (file == nullptr) return success();
-  return Error{.code = ExitCode::usage,
+  return Error{.kind = ErrorKind::usage,
                .message = fmt::format("the standard {} is led into {}", answers != nullptr ? "output" : "error output",
                                       file->what),
                .hint = "lead it into another file",
@@ -57,7 +57,7 @@ NamedFile domain(const std::string& path) { return {"the domain", path}; }
 Status checkFiles(const CommandFiles& files) {
   for (const NamedFile& output : files.outputs)
     if (output.path == "-")
-      return Error{.code = ExitCode::usage,
+      return Error{.kind = ErrorKind::usage,
                    .message = output.what + " takes the name of a file, and '-' is none",
                    .hint = "name a file; ./- is one called so"};
   if (Status streams = checkStreams(files); !streams.ok()) return streams;

@@ -1,6 +1,7 @@
 // The subcommands: each does what its options ask for, says what went wrong on stderr, and returns the exit code.
 #pragma once
 
+#include "cli/exit_codes.h"
 #include "cli/options.h"
 #include "core/base/result.h"
 

@@ -90,7 +90,7 @@ std::optional<Hit> goToHit(Debuggee& at, bool backwards) {
 }
 
 Error notReached(const Run& run) {
-  return Error{.code = ExitCode::unmet,
+  return Error{.kind = ErrorKind::unmet,
                .message = "the run ends before the place that --goto names",
                .hint = fmt::format("it has {} decisions and {} events", run.state.tick, run.events)};
 }
@@ -116,7 +116,7 @@ ExitCode runCommand(const DebugCommand& options) {
   Result<std::vector<Breakpoint>> breakpoints = compileAll(options.breaks);
   if (!breakpoints.ok()) {
     Error error = breakpoints.error();
-    error.code = ExitCode::usage;
+    error.kind = ErrorKind::usage;
     return fail(error);
   }
   if (options.firstViolation) *breakpoints = violationBreakpoints();

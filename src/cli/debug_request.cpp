@@ -21,7 +21,7 @@ std::optional<std::uint64_t> wholeNumber(std::string_view text) {
 }
 
 Error wrong(std::string message, std::string hint) {
-  return Error{.code = ExitCode::usage, .message = std::move(message), .hint = std::move(hint)};
+  return Error{.kind = ErrorKind::usage, .message = std::move(message), .hint = std::move(hint)};
 }
 
 Result<Stage> stageByKey(std::string_view key) {

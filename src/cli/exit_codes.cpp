@@ -7,8 +7,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "core/base/result.h"
-
 namespace triscope {
 namespace {
 
@@ -39,6 +37,30 @@ constexpr std::array kMeanings{
 };
 
 }  // namespace
+
+ExitCode exitCodeOf(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::bad_data:
+      return ExitCode::bad_data;
+    case ErrorKind::no_input:
+      return ExitCode::no_input;
+    case ErrorKind::cannot_write:
+      return ExitCode::cannot_write;
+    case ErrorKind::usage:
+      return ExitCode::usage;
+    case ErrorKind::unmet:
+      return ExitCode::unmet;
+    case ErrorKind::no_display:
+      return ExitCode::no_display;
+    case ErrorKind::no_memory:
+      return ExitCode::no_memory;
+    case ErrorKind::cancelled:
+      return ExitCode::cancelled;
+    case ErrorKind::internal:
+      break;
+  }
+  return ExitCode::internal;
+}
 
 std::string exitCodesHelp() {
   std::string text = "Exit codes:\n";

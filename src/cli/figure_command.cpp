@@ -14,7 +14,7 @@ namespace {
 Status checkFigures(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     if (!isFigurePath(path))
-      return Error{.code = ExitCode::usage,
+      return Error{.kind = ErrorKind::usage,
                    .message = "no picture format is known for this file name",
                    .hint = fmt::format("name it {}; 'triscope mesh' writes meshes", figureFormats()),
                    .file = path};
@@ -26,7 +26,7 @@ Status checkBox(const FigureCommand& options, const Box& domain) {
   const bool meets = !options.box || (options.box->lo.x < domain.hi.x && options.box->hi.x > domain.lo.x &&
                                       options.box->lo.y < domain.hi.y && options.box->hi.y > domain.lo.y);
   if (meets) return success();
-  return Error{.code = ExitCode::usage,
+  return Error{.kind = ErrorKind::usage,
                .message = "the part to draw lies outside the domain",
                .hint = fmt::format("the domain reaches from ({:.9g}, {:.9g}) to ({:.9g}, {:.9g})", domain.lo.x,
                                    domain.lo.y, domain.hi.x, domain.hi.y),

@@ -12,7 +12,7 @@ namespace triscope {
 
 ExitCode fail(const Error& error) {
   say("triscope: {}\n", describe(error));
-  return error.code;
+  return exitCodeOf(error.kind);
 }
 
 namespace {
@@ -30,7 +30,7 @@ ExitCode runProgram(int argc, const char* const* argv) {
         },
         std::get<Options>(parsed));
   if (!endOfAnswers())
-    return fail(Error{.code = ExitCode::cannot_write,
+    return fail(Error{.kind = ErrorKind::cannot_write,
                       .message = "cannot write to the standard output",
                       .hint = "is the disk full, or the reader gone?"});
   return code;

@@ -25,12 +25,12 @@ Status checkOutputs(const std::vector<std::string>& paths, Stage last) {
   for (const std::string& path : paths) {
     if (isFigurePath(path)) continue;
     if (!isMeshPath(path))
-      return Error{.code = ExitCode::usage,
+      return Error{.kind = ErrorKind::usage,
                    .message = "no format is known for this file name",
                    .hint = fmt::format("name it {} or {}", meshFormatsWritten(), figureFormats()),
                    .file = path};
     if (last < Stage::triangulation)
-      return Error{.code = ExitCode::usage,
+      return Error{.kind = ErrorKind::usage,
                    .message = fmt::format("there is no mesh yet when the stage {} is over", infoOf(last).key),
                    .hint = fmt::format("run at least --until triangulation, or draw a picture ({})", figureFormats()),
                    .file = path};

@@ -20,7 +20,7 @@ std::string stageOf(const StageHash& at) {
 }
 
 Error unmet(std::string message, std::string hint, const std::string& file) {
-  return {.code = ExitCode::unmet, .message = std::move(message), .hint = std::move(hint), .file = file};
+  return {.kind = ErrorKind::unmet, .message = std::move(message), .hint = std::move(hint), .file = file};
 }
 
 /// Tells of a session that another version saved, and of a domain file that is not what the session holds: one of them

@@ -42,12 +42,12 @@ Result<Stage> stageNamed(std::string_view name) {
   for (const StageName& entry : kNames)
     if (entry.name == name) return entry.last;
   if (comesAgain(name))
-    return Error{.code = ExitCode::usage,
+    return Error{.kind = ErrorKind::usage,
                  .message = fmt::format("the stage '{}' comes again in every round, so a run cannot end with it", name),
                  .hint = fmt::format("name rounds, which end with the last repair, or another of {}; 'triscope debug "
                                      "DOMAIN --goto stage={}' goes to where it first begins",
                                      stageNames(), name)};
-  return Error{.code = ExitCode::usage,
+  return Error{.kind = ErrorKind::usage,
                .message = fmt::format("there is no stage '{}'", name),
                .hint = fmt::format("the stages are {}", stageNames())};
 }

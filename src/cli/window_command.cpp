@@ -5,7 +5,10 @@
 
 namespace triscope {
 
-ExitCode runCommand(const WindowOptions& options) { return static_cast<ExitCode>(runWindow(options)); }
+ExitCode runCommand(const WindowOptions& options) {
+  const Status end = runWindow(options);
+  return end.ok() ? ExitCode::ok : fail(end.error());
+}
 
 }  // namespace triscope
 
@@ -14,7 +17,7 @@ ExitCode runCommand(const WindowOptions& options) { return static_cast<ExitCode>
 namespace triscope {
 
 ExitCode runCommand(const WindowOptions&) {
-  return fail(Error{.code = ExitCode::no_display,
+  return fail(Error{.kind = ErrorKind::no_display,
                     .message = "this program was built without its window",
                     .hint = "use a subcommand ('triscope --help'), or build with TRISCOPE_WINDOW=ON"});
 }

@@ -28,7 +28,7 @@ Format formatOf(std::string path) {
 
 Error usage(const std::string& path, std::string message, std::string hint) {
   Error error;
-  error.code = ExitCode::usage;
+  error.kind = ErrorKind::usage;
   error.file = path;
   error.message = std::move(message);
   error.hint = std::move(hint);

@@ -28,7 +28,7 @@ Result<std::string> encodePng(const Image& image) {
   constexpr int kMost = 1 << 15;
   if (image.width < 1 || image.height < 1 || image.width > kMost || image.height > kMost) {
     Error error;
-    error.code = ExitCode::usage;
+    error.kind = ErrorKind::usage;
     error.message = "a picture of " + std::to_string(image.width) + " by " + std::to_string(image.height) +
                     " pixels cannot be made";
     error.hint = "give a width and a height between 1 and " + std::to_string(kMost);
@@ -40,7 +40,7 @@ Result<std::string> encodePng(const Image& image) {
   };
   if (stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.pixels.data(), image.width * 4) == 0) {
     Error error;
-    error.code = ExitCode::internal;
+    error.kind = ErrorKind::internal;
     error.message = "the picture could not be compressed";
     error.hint = "try a smaller picture";
     return error;

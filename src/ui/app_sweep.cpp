@@ -114,7 +114,7 @@ void App::finishSweep(const Status& outcome) {
     sweep.seconds = spent.count();
     sweep.table = std::move(made);
     ui_.message = fmt::format("The sweep is done: {} pairs in {} s.", sweep.done, compact(sweep.seconds));
-  } else if (outcome.error().code != ExitCode::cancelled) {
+  } else if (outcome.error().kind != ErrorKind::cancelled) {
     complain(outcome.error());
   } else if (ui_.message.empty()) {
     ui_.message = "The sweep was given up.";

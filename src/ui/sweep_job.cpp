@@ -14,7 +14,7 @@ unsigned threadsBesideWindow() {
   return cores > 2 ? cores - 1 : cores;
 }
 
-Error cancelled() { return {.code = ExitCode::cancelled, .message = "the sweep was cancelled"}; }
+Error cancelled() { return {.kind = ErrorKind::cancelled, .message = "the sweep was cancelled"}; }
 
 }  // namespace
 
@@ -46,7 +46,7 @@ Status SweepJob::carryOut(const Task& task, const std::function<void()>& wake) {
   if (!prepared) return cancelled();
   if (overLimit(state)) return tooManyTriangles(state);
   if (state.failed)
-    return Error{.code = ExitCode::unmet,
+    return Error{.kind = ErrorKind::unmet,
                  .message = "the method cannot go on before step 6, so there is nothing to sweep",
                  .hint = "run to the end to see where it stops, and change the domain or a parameter",
                  .file = task.domain->file};

@@ -8,12 +8,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
-#include "core/base/result.h"
 #include "ui/app.h"
 #include "ui/key_queue.h"
 #include "ui/screenshot.h"
@@ -83,9 +82,8 @@ void deliverKeys(GLFWwindow* window, LoopState& loop) {
   }
 }
 
-int fail(ExitCode code, const std::string& message) {
-  std::fprintf(stderr, "triscope: %s\n", message.c_str());
-  return static_cast<int>(code);
+Error noDisplay(std::string message, std::string hint = {}) {
+  return {.kind = ErrorKind::no_display, .message = std::move(message), .hint = std::move(hint)};
 }
 
 struct GlfwLibrary {
@@ -166,7 +164,7 @@ Status drawFrame(GLFWwindow* window, App& app, const std::string& screenshot) {
   return saved;
 }
 
-int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& options) {
+Status runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& options) {
   int framesSettled = 0;
   std::string title;
   while (glfwWindowShouldClose(window) == GLFW_FALSE && !app.closing()) {
@@ -184,27 +182,26 @@ int runLoop(GLFWwindow* window, App& app, LoopState& loop, const WindowOptions& 
     loop.framesWanted = loop.keys.empty() ? loop.framesWanted - 1 : kFramesAfterEvent;
     const bool last = !options.screenshot.empty() && app.settled() && ++framesSettled == 2 * kFramesAfterEvent;
     const Status saved = drawFrame(window, app, last ? options.screenshot : std::string());
-    if (!saved) return fail(saved.error().code, describe(saved.error()));
+    if (!saved) return saved.error();
     if (last) break;
   }
-  return 0;
+  return success();
 }
 
 }  // namespace
 
-int runWindow(const WindowOptions& options) {
+Status runWindow(const WindowOptions& options) {
   glfwSetErrorCallback([](int, const char*) {});  // what matters is asked for below
   const GlfwLibrary library;
   if (!library.ready)
-    return fail(ExitCode::no_display, "no display can be opened; use the subcommands without one ('triscope --help')");
+    return noDisplay("no display can be opened", "use the subcommands without one ('triscope --help')");
   LoopState loop;
   App app(options, [] { glfwPostEmptyEvent(); });
   loop.app = &app;
   const std::unique_ptr<GLFWwindow, decltype(&glfwDestroyWindow)> window(makeWindow(), &glfwDestroyWindow);
-  if (!window)
-    return fail(ExitCode::no_display, "no window with OpenGL 3.3 can be opened; is a graphics driver installed?");
+  if (!window) return noDisplay("no window with OpenGL 3.3 can be opened", "is a graphics driver installed?");
   glfwMakeContextCurrent(window.get());
-  if (gladLoadGL(glfwGetProcAddress) == 0) return fail(ExitCode::no_display, "OpenGL 3.3 cannot be loaded");
+  if (gladLoadGL(glfwGetProcAddress) == 0) return noDisplay("OpenGL 3.3 cannot be loaded");
   glfwSwapInterval(1);
   glfwSetWindowUserPointer(window.get(), &loop);
 
@@ -217,16 +214,16 @@ int runWindow(const WindowOptions& options) {
   ImGui_ImplOpenGL3_Init("#version 330 core");
   float scale = 1.0f;
   glfwGetWindowContentScale(window.get(), &scale, nullptr);
-  int code = 0;
+  Status end = success();
   if (const std::string complaint = app.start(std::clamp(static_cast<double>(scale), 0.75, 3.0)); !complaint.empty())
-    code = fail(ExitCode::internal, "a shader does not compile: " + complaint);
+    end = Error{.kind = ErrorKind::internal, .message = "a shader does not compile: " + complaint};
   else
-    code = runLoop(window.get(), app, loop, options);
+    end = runLoop(window.get(), app, loop, options);
   app.releaseGl();
   ImGui_ImplOpenGL3_Shutdown();
   ImGui_ImplGlfw_Shutdown();
   ImGui::DestroyContext();
-  return code;
+  return end;
 }
 
 }  // namespace triscope

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "core/base/result.h"
+
 namespace triscope {
 
 struct WindowOptions {
@@ -14,8 +16,8 @@ struct WindowOptions {
       preferences;  // file of theme, scale and layout; empty: under $XDG_CONFIG_HOME; "none": neither read nor written
 };
 
-/// Runs the window until it is closed. Returns the program's exit code; a display that cannot be opened is said on
-/// stderr. Not to be called twice at the same time.
-int runWindow(const WindowOptions& options);
+/// Runs the window until it is closed. Errors: no display, a picture that cannot be written. Not to be called twice at
+/// the same time.
+Status runWindow(const WindowOptions& options);
 
 }  // namespace triscope

@@ -107,7 +107,7 @@ class Readme(InFolder):
         self.assertEqual(list(table), list(said))
         for code, words in said.items():
             self.assertTrue(table[code].startswith(words), f"{code}: {words}")
-        header = (SOURCE / "src" / "core" / "base" / "result.h").read_text(encoding="utf-8")
+        header = (SOURCE / "src" / "cli" / "exit_codes.h").read_text(encoding="utf-8")
         codes = re.findall(r"^  \w+ = (\d+),", header.partition("enum class ExitCode")[2], re.MULTILINE)
         self.assertLessEqual({int(code) for code in codes}, set(said))
         self.assertGreater(len(codes), 8)

@@ -84,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto domain = parseDomain({reinterpret_cast<const char*>(data), size}, "fuzz.json");
   if (!domain) {
     const Error& error = domain.error();
-    require(error.code == ExitCode::bad_data && error.file == "fuzz.json");
+    require(error.kind == ErrorKind::bad_data && error.file == "fuzz.json");
     require(!error.message.empty() && !error.hint.empty() && !describe(error).empty());
     require(!error.at || finite(*error.at));
     return 0;

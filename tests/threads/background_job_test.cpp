@@ -38,7 +38,7 @@ TEST(BackgroundJob, TellsItsOutcomeOnce) {
 TEST(BackgroundJob, TellsWhereMemoryDidNotSuffice) {
   BackgroundJob job;
   job.start([]() -> Status { throw std::bad_alloc(); }, [] {});
-  EXPECT_EQ(outcomeOf(job)->error().code, ExitCode::no_memory);
+  EXPECT_EQ(outcomeOf(job)->error().kind, ErrorKind::no_memory);
 }
 
 TEST(BackgroundJob, IsWaitedForWhereNobodyAsks) {

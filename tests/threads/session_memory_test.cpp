@@ -58,7 +58,7 @@ TEST(SessionMemory, ARunThatDoesNotFitIsGivenUpAtItsStart) {
     alone.apply(command::OpenDomain{large()});
     ASSERT_TRUE(alone.settle(kForever));
     ASSERT_TRUE(alone.error());
-    EXPECT_EQ(alone.error()->code, ExitCode::no_memory);
+    EXPECT_EQ(alone.error()->kind, ErrorKind::no_memory);
     EXPECT_EQ(alone.current()->state.tick, 0u);
     EXPECT_TRUE(alone.events().empty());
     EXPECT_EQ(alone.record().ticks, 0u);
@@ -82,7 +82,7 @@ TEST(SessionMemory, AChangeThatDoesNotFitLeavesTheRunFromBefore) {
     finer.maxRank = 1;
     doNow(session, command::Change{finer});
     ASSERT_TRUE(session.error());
-    EXPECT_EQ(session.error()->code, ExitCode::no_memory);
+    EXPECT_EQ(session.error()->kind, ErrorKind::no_memory);
     EXPECT_FALSE(session.stale());
     EXPECT_EQ(session.settings(), settings);
     EXPECT_EQ(session.events().size(), events);

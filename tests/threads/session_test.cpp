@@ -102,7 +102,7 @@ TEST(Session, AFileThatCannotBeReadLeavesEverythingAsItWas) {
   const std::uint64_t before = hashOf(doNow(session, command::OpenDomain{square(0.5)}).state);
   doNow(session, command::OpenFile{"/nowhere/at/all.json"});
   ASSERT_TRUE(session.error().has_value());
-  EXPECT_EQ(session.error()->code, ExitCode::no_input);
+  EXPECT_EQ(session.error()->kind, ErrorKind::no_input);
   EXPECT_EQ(hashOf(session.current()->state), before);
   doNow(session, command::StepBack{Grain::decision});
   EXPECT_FALSE(session.error().has_value());

@@ -60,7 +60,7 @@ TEST(Begin, CanBeGivenUp) {
     return ++asked < 3;
   });
   ASSERT_FALSE(state.ok());
-  EXPECT_EQ(state.error().code, ExitCode::cancelled);
+  EXPECT_EQ(state.error().kind, ErrorKind::cancelled);
   EXPECT_EQ(asked, 3);
   EXPECT_TRUE(begin(domain, {}, [](double) { return true; }).ok());
 }

@@ -30,7 +30,7 @@ TEST_P(DomainErrorRow, NamesThePlaceAndTheCure) {
   const auto domain = parseDomain(row.json, "plate.json");
   ASSERT_FALSE(domain.ok()) << row.json;
   const Error& error = domain.error();
-  EXPECT_EQ(error.code, ExitCode::bad_data);
+  EXPECT_EQ(error.kind, ErrorKind::bad_data);
   EXPECT_EQ(error.file, "plate.json");
   if (row.loop.starts_with("density entry")) {
     EXPECT_EQ(error.loop, "");
@@ -322,7 +322,7 @@ TEST(DomainErrors, AMissingFileIsNoInput) {
   for (const std::string path : {"/nowhere/plate.json", "/"}) {
     const auto domain = readDomain(path);
     ASSERT_FALSE(domain.ok());
-    EXPECT_EQ(domain.error().code, ExitCode::no_input);
+    EXPECT_EQ(domain.error().kind, ErrorKind::no_input);
     EXPECT_EQ(domain.error().file, path);
   }
 }

@@ -67,7 +67,7 @@ TEST(DomainFiles, DomainsThatTouchOrCrossAreRefusedWithAPlace) {
   for (const std::string& file : files) {
     const auto domain = readDomain(file);
     ASSERT_FALSE(domain.ok()) << file;
-    EXPECT_EQ(domain.error().code, ExitCode::bad_data);
+    EXPECT_EQ(domain.error().kind, ErrorKind::bad_data);
     EXPECT_FALSE(domain.error().loop.empty()) << describe(domain.error());
     EXPECT_TRUE(domain.error().at.has_value()) << describe(domain.error());
   }

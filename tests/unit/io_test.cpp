@@ -156,7 +156,7 @@ TEST_F(MeshFiles, TheSameMeshGivesTheSameBytes) {
 TEST_F(MeshFiles, AnUnknownExtensionNamesTheKnownOnes) {
   const Status written = writeMesh(path("a.stl"), ring());
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, ExitCode::usage);
+  EXPECT_EQ(written.error().kind, ErrorKind::usage);
   EXPECT_EQ(written.error().message, "no mesh format has the extension '.stl'");
   EXPECT_EQ(written.error().hint, "known are .msh, .vtu, .node, .su2, .off, .obj");
   EXPECT_EQ(readMesh(path("a.stl")).error().hint, "known are .msh, .vtu, .node, .ele, .su2, .off, .obj");
@@ -168,7 +168,7 @@ TEST_F(MeshFiles, AllFilesOfAFormatOrNone) {
   fs::create_directory(path("a.poly"));  // the last of the three cannot be written
   const Status written = writeMesh(path("a.node"), ring());
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(written.error().kind, ErrorKind::cannot_write);
   EXPECT_EQ(contents(path("a.node")), "old");
   EXPECT_EQ(filesLeft(), 2u);
 }
@@ -176,11 +176,11 @@ TEST_F(MeshFiles, AllFilesOfAFormatOrNone) {
 TEST_F(MeshFiles, AFolderThatIsMissingIsSaid) {
   const Status written = writeMesh(path("none/a.msh"), ring());
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(written.error().kind, ErrorKind::cannot_write);
   EXPECT_EQ(written.error().file, path("none/a.msh"));
   EXPECT_NE(written.error().hint.find("does not exist"), std::string::npos);
-  EXPECT_EQ(readMesh(path("none/a.msh")).error().code, ExitCode::no_input);
-  EXPECT_EQ(readMesh(folder_.string() + "/.msh").error().code, ExitCode::usage);
+  EXPECT_EQ(readMesh(path("none/a.msh")).error().kind, ErrorKind::no_input);
+  EXPECT_EQ(readMesh(folder_.string() + "/.msh").error().kind, ErrorKind::usage);
 }
 
 struct Broken {
@@ -258,7 +258,7 @@ TEST(BrokenMeshFiles, AreRefusedWithTheLineAndTheReason) {
     EXPECT_NE(read.error().message.find(broken.message), std::string::npos)
         << broken.what << ": " << read.error().message;
     EXPECT_FALSE(read.error().hint.empty()) << broken.what;
-    EXPECT_EQ(read.error().code, ExitCode::bad_data);
+    EXPECT_EQ(read.error().kind, ErrorKind::bad_data);
   }
 }
 

@@ -110,7 +110,7 @@ TEST_F(Outputs, AreAllOldWhenOneCannotTakeItsPlace) {
   fs::create_directory(path("c"));  // in the meantime
   const Status committed = set.commit();
   ASSERT_FALSE(committed.ok());
-  EXPECT_EQ(committed.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(committed.error().kind, ErrorKind::cannot_write);
   EXPECT_EQ(committed.error().file, path("c"));
   set = OutputSet();
   EXPECT_EQ(contents("a"), "old a");
@@ -134,7 +134,7 @@ TEST_F(Outputs, AreAllOldOnAFullDisk) {
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   std::signal(SIGXFSZ, SIG_DFL);
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(written.error().kind, ErrorKind::cannot_write);
   EXPECT_EQ(names(), Names{"a"});
   EXPECT_EQ(contents("a"), "old");
 }
@@ -170,7 +170,7 @@ TEST_F(Outputs, AFileThatNobodyMayWriteToIsKept) {
   ASSERT_EQ(::chmod(path("a").c_str(), 0444), 0);
   const Status written = writeWhole(path("a"), "new");
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(written.error().kind, ErrorKind::cannot_write);
   EXPECT_NE(written.error().message.find("protected"), std::string::npos);
   EXPECT_EQ(contents("a"), "precious");
 }
@@ -199,7 +199,7 @@ TEST_F(Outputs, WhatIsNoFileIsWrittenDirectly) {
   EXPECT_TRUE(fs::is_symlink(path("link")));
   const Status full = writeWhole("/dev/full", "x");
   ASSERT_FALSE(full.ok());
-  EXPECT_EQ(full.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(full.error().kind, ErrorKind::cannot_write);
 }
 
 TEST_F(Outputs, ClearWhatProgramsThatAreGoneLeftBehind) {
@@ -272,7 +272,7 @@ TEST_F(Outputs, AnOutputMayNotBeAnInputOrAnotherOutput) {
   EXPECT_TRUE(checkOverwrites({domain, {"none", ""}}, {{"-o", path("b")}, {"--report", ""}, {"--x", ""}}).ok());
   const Status input = checkOverwrites({domain}, {{"-o", path("b")}, {"--report", path("link")}});
   ASSERT_FALSE(input.ok());
-  EXPECT_EQ(input.error().code, ExitCode::usage);
+  EXPECT_EQ(input.error().kind, ErrorKind::usage);
   EXPECT_EQ(describe(input.error()),
             path("link") + ": --report would overwrite the domain (" + path("a") + "); name another file");
   const Status output = checkOverwrites({domain}, {{"-o", path("b")}, {"--report", path("b")}});

@@ -30,6 +30,15 @@ TEST(StageTable, HasEveryStageInOrderWithItsOwnKey) {
   }
 }
 
+// Hashes in saved sessions hold them.
+TEST(StageTable, CodesAreEachStagesOwn) {
+  std::set<int> codes;
+  for (const StageInfo& info : stages()) codes.insert(codeOf(info.id));
+  EXPECT_EQ(codes.size(), static_cast<std::size_t>(kStageCount));
+  EXPECT_EQ(codeOf(Stage::refine), 15);
+  EXPECT_EQ(codeOf(Stage::finished), 16);
+}
+
 TEST(Begin, TakesDxFromTheSettingsTheDomainOrTheGeometryInThatOrder) {
   const support::DomainPtr with = support::domainFrom(support::kFrame);
   EXPECT_EQ(support::start(with).minEdge, 1.0);

@@ -57,7 +57,7 @@ void expectSame(const SessionFile& a, const SessionFile& b) {
 std::string complaint(const std::string& json) {
   const Result<SessionFile> read = parseSession(json, "some.session");
   if (read.ok()) return "";
-  EXPECT_EQ(read.error().code, ExitCode::bad_data);
+  EXPECT_EQ(read.error().kind, ErrorKind::bad_data);
   EXPECT_EQ(read.error().file, "some.session");
   EXPECT_FALSE(read.error().hint.empty());
   return read.error().message;
@@ -96,8 +96,8 @@ TEST(SessionFile, GoesThroughAFile) {
   ASSERT_TRUE(read.ok()) << describe(read.error());
   expectSame(sample(), *read);
   std::remove(path.c_str());
-  EXPECT_EQ(readSession(path).error().code, ExitCode::no_input);
-  EXPECT_EQ(writeSession(testing::TempDir() + "no such folder/x", sample()).error().code, ExitCode::cannot_write);
+  EXPECT_EQ(readSession(path).error().kind, ErrorKind::no_input);
+  EXPECT_EQ(writeSession(testing::TempDir() + "no such folder/x", sample()).error().kind, ErrorKind::cannot_write);
 }
 
 TEST(SessionFile, BytesThatAreNoTextDoNotSpoilIt) {

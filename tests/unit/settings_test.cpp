@@ -105,7 +105,7 @@ TEST(SetSetting, RefusesWithAMessageAndChangesNothing) {
     Settings settings;
     const Status status = setSetting(settings, refused.key, refused.value);
     ASSERT_FALSE(status.ok()) << refused.key << '=' << refused.value;
-    EXPECT_EQ(status.error().code, ExitCode::usage);
+    EXPECT_EQ(status.error().kind, ErrorKind::usage);
     EXPECT_NE(status.error().message.find(refused.messageHas), std::string::npos) << status.error().message;
     EXPECT_NE(status.error().hint.find(refused.hintHas), std::string::npos) << status.error().hint;
     EXPECT_EQ(settings, Settings{}) << refused.key << '=' << refused.value;

@@ -207,13 +207,13 @@ TEST_F(FigureFile, RefusesWhatItCannotDo) {
   const MeshState state = sample::after(sample::kFrame, Stage::step1);
   const Status ending = writeFigure(path("f.jpg"), state, {}, {});
   ASSERT_FALSE(ending.ok());
-  EXPECT_EQ(ending.error().code, ExitCode::usage);
+  EXPECT_EQ(ending.error().kind, ErrorKind::usage);
   FigureOptions tiny;
   tiny.width = 3;
-  EXPECT_EQ(writeFigure(path("f.svg"), state, {}, tiny).error().code, ExitCode::usage);
+  EXPECT_EQ(writeFigure(path("f.svg"), state, {}, tiny).error().kind, ErrorKind::usage);
   const Status nowhere = writeFigure(path("no/such/folder/f.svg"), state, {}, {});
   ASSERT_FALSE(nowhere.ok());
-  EXPECT_EQ(nowhere.error().code, ExitCode::cannot_write);
+  EXPECT_EQ(nowhere.error().kind, ErrorKind::cannot_write);
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 

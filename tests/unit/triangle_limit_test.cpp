@@ -39,7 +39,7 @@ Stopped stopped(const support::DomainPtr& domain, const Settings& settings = {})
 
 std::string messageOf(const support::DomainPtr& domain, const Settings& settings = {}) {
   const Error error = tooManyTriangles(stopped(domain, settings).state);
-  EXPECT_EQ(error.code, ExitCode::bad_data);
+  EXPECT_EQ(error.kind, ErrorKind::bad_data);
   EXPECT_TRUE(error.at.has_value());
   return describe(error);
 }

@@ -33,7 +33,7 @@ Error cannotWrite(const std::string& path, std::string_view what, int error) {
   if (error == EACCES || error == EPERM || error == EROFS) hint = "choose a folder that you may write to";
   if (error == ENOSPC || error == EDQUOT) hint = "make room, or choose another disk";
   if (error == EFBIG) hint = "a limit is set for the size of files ('ulimit -f')";
-  return {.code = ExitCode::cannot_write,
+  return {.kind = ErrorKind::cannot_write,
           .message = fmt::format("{}: {}", what, std::strerror(error)),
           .hint = hint,
           .file = path,
@@ -107,8 +107,11 @@ Error AtomicFile::failure(std::string_view what) const { return cannotWrite(path
 
 Result<AtomicFile> AtomicFile::create(const std::string& path, Flush flush) {
   if (path.empty()) {
-    return Error{
-        .code = ExitCode::cannot_write, .message = "no file name given", .hint = "name a file", .file = {}, .loop = {}};
+    return Error{.kind = ErrorKind::cannot_write,
+                 .message = "no file name given",
+                 .hint = "name a file",
+                 .file = {},
+                 .loop = {}};
   }
   if (const std::optional<int> descriptor = descriptorNamed(path)) return onDescriptor(path, *descriptor, flush);
   struct stat info{};
@@ -120,7 +123,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path, Flush flush) {
     return AtomicFile(path, {}, descriptor, flush);
   }
   if (exists && isProtected(path, info.st_mode)) {
-    return Error{.code = ExitCode::cannot_write,
+    return Error{.kind = ErrorKind::cannot_write,
                  .message = "the file is protected from being written to",
                  .hint = "choose another name, or allow it ('chmod u+w')",
                  .file = path,

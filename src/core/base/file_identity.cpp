@@ -37,7 +37,7 @@ std::optional<int> wholeNumber(const std::string& text) {
 }
 
 Error overwritten(const NamedFile& output, const NamedFile& other, std::string_view role) {
-  return {.code = ExitCode::usage,
+  return {.kind = ErrorKind::usage,
           .message = fmt::format("{} {} {}{}", output.what, role, other.what,
                                  other.path == output.path ? std::string() : " (" + other.path + ")"),
           .hint = "name another file",

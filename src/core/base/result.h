@@ -1,6 +1,7 @@
 // One way to fail: a value that says what is wrong, where, and what to do about it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,22 +11,21 @@
 
 namespace triscope {
 
-/// Exit codes of the program (sysexits where they fit). What ends it by a signal is in core/base/stop.h.
-enum class ExitCode : int {
-  ok = 0,
-  unmet = 1,          // a bound is not met, or a mesh is not valid
-  usage = 2,          // the command line is wrong
-  bad_data = 65,      // the input was read and is wrong
-  no_input = 66,      // the input cannot be opened
-  no_display = 69,    // no window can be opened here
-  internal = 70,      // a defect of the program
-  no_memory = 71,     // there is not enough memory
-  cannot_write = 73,  // the output cannot be written
-  cancelled = 130,    // Ctrl+C
+/// What kind of thing went wrong: who passes an error on to a person or a script goes by it.
+enum class ErrorKind : std::uint8_t {
+  bad_data,      // the input was read and is wrong
+  no_input,      // the input cannot be opened
+  cannot_write,  // the output cannot be written
+  usage,         // what was asked for makes no sense
+  unmet,         // a bound is not met, a mesh is not valid, or the method cannot go on
+  no_display,    // no window can be opened here
+  no_memory,     // there is not enough memory
+  cancelled,     // somebody wanted it to end
+  internal,      // a defect of the program
 };
 
 struct Error {
-  ExitCode code = ExitCode::bad_data;
+  ErrorKind kind = ErrorKind::bad_data;
   std::string message{};      // what is wrong, with the numbers
   std::string hint{};         // what to do about it
   std::string file{};         // empty when it came from no file
@@ -36,7 +36,7 @@ struct Error {
 
 /// What is said where std::bad_alloc is caught.
 inline Error notEnoughMemory() {
-  return {.code = ExitCode::no_memory,
+  return {.kind = ErrorKind::no_memory,
           .message = "not enough memory",
           .hint =
               "a larger min_edge_length, or larger lengths in \"density\", make a smaller mesh; max_triangles stops "

@@ -29,7 +29,7 @@ class TextScanner {
 
   void fail(std::string message, std::string hint) {
     if (error_) return;
-    error_ = Error{.code = ExitCode::bad_data,
+    error_ = Error{.kind = ErrorKind::bad_data,
                    .message = fmt::format("line {}: {}", line_, message),
                    .hint = std::move(hint),
                    .file = {},

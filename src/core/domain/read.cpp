@@ -123,7 +123,7 @@ Result<Domain> readDomain(const std::string& path) {
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
   }
   if (!in.eof()) {
-    return Error{.code = ExitCode::no_input,
+    return Error{.kind = ErrorKind::no_input,
                  .message = "the file cannot be read",
                  .hint = "check its name and that you may read it",
                  .file = path};

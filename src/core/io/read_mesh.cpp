@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 Result<std::string> textOf(const std::string& path) {
   const auto failure = [&](std::string message) {
-    return Error{.code = ExitCode::no_input,
+    return Error{.kind = ErrorKind::no_input,
                  .message = std::move(message),
                  .hint = "check the name and the permissions",
                  .file = path,
@@ -80,7 +80,7 @@ Result<MeshFile> readMesh(const std::string& path) {
     error.file = path;
     return error;
   }
-  return Error{.code = ExitCode::usage,
+  return Error{.kind = ErrorKind::usage,
                .message = fmt::format("no mesh format has the extension '{}'", extension),
                .hint = "known are " + meshFormatsRead(),
                .file = path,

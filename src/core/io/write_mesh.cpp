@@ -60,7 +60,7 @@ bool holdsFields(const std::string& path) {
 Status writeMesh(const std::string& path, const MeshFile& file, const MeshWriteOptions& options, OutputSet& set) {
   const std::vector<Part>* parts = formatOf(path);
   if (parts == nullptr) {
-    return Error{.code = ExitCode::usage,
+    return Error{.kind = ErrorKind::usage,
                  .message = fmt::format("no mesh format has the extension '{}'",
                                         std::filesystem::path(path).extension().string()),
                  .hint = "known are " + meshFormatsWritten(),

@@ -114,43 +114,43 @@ Error tooFine(const Domain& domain, double minEdge, double extent, bool byGeomet
   return error;
 }
 
-enum class Beat : std::uint8_t { worked, decided, inserted, left_stage, over };
+enum class Headway : std::uint8_t { worked, decided, inserted, left_stage, over };
 
 // The smallest move: a decision, or the step from a stage with nothing left to do into the next.
-Beat beat(MeshState& state, Journal& journal) {
-  if (state.stage == Stage::finished) return Beat::over;
+Headway moveOn(MeshState& state, Journal& journal) {
+  if (state.stage == Stage::finished) return Headway::over;
   if (!state.cursor.begun) recordStage(state, EventKind::stage_begun, state.round, journal);
   const bool couldGoOn = !state.failed;
   const Outcome outcome = infoOf(state.stage).runOne(state, journal);
-  if (outcome == Outcome::worked) return Beat::worked;
+  if (outcome == Outcome::worked) return Headway::worked;
   // One look at the state in the stage that it failed in: viewers stay there.
-  if (outcome == Outcome::done && couldGoOn && state.failed) return Beat::worked;
+  if (outcome == Outcome::done && couldGoOn && state.failed) return Headway::worked;
   if (outcome == Outcome::done) {
     leaveStage(state, journal);
-    return Beat::left_stage;
+    return Headway::left_stage;
   }
   ++state.tick;
   ++countsOf(state).decisions;
   if (outcome == Outcome::decided) {
     if (state.stage < Stage::front1) ++state.cursor.changes;  // nothing is refused up to there
-    return Beat::decided;
+    return Headway::decided;
   }
   ++countsOf(state).inserted;
   ++state.cursor.changes;
   ++state.roundChanges;
   if (outgrows(state)) holdToLimit(state, static_cast<double>(state.mesh.liveCount()), journal);
-  return Beat::inserted;
+  return Headway::inserted;
 }
 
 // True when the grain asked for is complete after a beat that began in `round`.
-bool complete(Grain grain, Beat last, const MeshState& state, std::uint16_t round) {
+bool complete(Grain grain, Headway last, const MeshState& state, std::uint16_t round) {
   switch (grain) {
     case Grain::decision:
-      return last == Beat::decided || last == Beat::inserted;
+      return last == Headway::decided || last == Headway::inserted;
     case Grain::insertion:
-      return last == Beat::inserted;
+      return last == Headway::inserted;
     case Grain::stage:
-      return last == Beat::left_stage;
+      return last == Headway::left_stage;
     case Grain::round:
       return state.round != round;
     case Grain::all:
@@ -169,7 +169,7 @@ Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& se
   state.minEdge = settings.minEdge > 0.0 ? settings.minEdge : domain->minEdgeLength;
   if (state.minEdge <= 0.0) {
     const std::optional<double> derived = deriveMinEdge(*domain, settings, goesOn);
-    if (!derived) return Error{.code = ExitCode::cancelled, .message = "stopped while Δx was derived"};
+    if (!derived) return Error{.kind = ErrorKind::cancelled, .message = "stopped while Δx was derived"};
     state.minEdge = *derived;
     state.minEdgeDerived = true;
   }
@@ -195,22 +195,22 @@ bool advance(MeshState& state, Grain grain, Journal& journal) {
   if (state.stage == Stage::finished) return false;
   const std::uint16_t round = state.round;
   for (;;) {
-    const Beat last = beat(state, journal);
-    if (last == Beat::over || complete(grain, last, state, round)) return true;
+    const Headway last = moveOn(state, journal);
+    if (last == Headway::over || complete(grain, last, state, round)) return true;
   }
 }
 
 bool advanceAPiece(MeshState& state, Journal& journal) {
   if (state.stage == Stage::finished) return false;
-  Beat last = beat(state, journal);
-  while (last == Beat::left_stage) last = beat(state, journal);
+  Headway last = moveOn(state, journal);
+  while (last == Headway::left_stage) last = moveOn(state, journal);
   return true;
 }
 
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal) {
   const auto reached = [&] { return stage == Stage::step5 ? isPastRounds(state.stage) : state.stage > stage; };
   for (; limit > 0 && !reached(); --limit) {
-    if (beat(state, journal) == Beat::over) break;
+    if (moveOn(state, journal) == Headway::over) break;
   }
   return !reached() && state.stage != Stage::finished;
 }

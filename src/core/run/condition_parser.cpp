@@ -58,7 +58,7 @@ Result<Condition> ConditionParser::parse() {
   if (!failed() && at_ < text_.size()) fail("\"and\", \"or\" or the end");
   if (!failed()) return std::move(condition_);
   Error error;
-  error.code = ExitCode::usage;
+  error.kind = ErrorKind::usage;
   error.message = fmt::format("in the condition, character {}:\n  {}\n  {}^\nexpected {}", failedAt_ + 1, text_,
                               std::string(failedAt_, ' '), expected_);
   error.hint = "docs/conditions.md lists the words, for example: aspect > 4 and stage == refine";

@@ -327,7 +327,7 @@ Result<std::string> readTextFile(const std::string& path) {
   while (in.read(block.data(), block.size()) || in.gcount() > 0)
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
   if (in.eof()) return text;
-  return Error{.code = ExitCode::no_input,
+  return Error{.kind = ErrorKind::no_input,
                .message = "the file cannot be read",
                .hint = "check its name and that you may read it",
                .file = path};

@@ -65,7 +65,7 @@ Result<SessionFile> parseSession(std::string_view json, const std::string& fileN
 Status writeSession(const std::string& path, const SessionFile& session);
 Result<SessionFile> readSession(const std::string& path);
 
-/// A file's bytes, for domainText. ExitCode::no_input when it cannot be read.
+/// A file's bytes, for domainText. ErrorKind::no_input when it cannot be read.
 Result<std::string> readTextFile(const std::string& path);
 
 /// Runs from a state at tick 0 and notes the hash at the end of each stage, of `most` stages at most and of those that

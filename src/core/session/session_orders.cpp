@@ -89,7 +89,7 @@ bool startOver(SessionWork& work, std::shared_ptr<const Domain> domain, const Se
     return true;
   }
   if (work.before) cancel(work);
-  if (begun.error().code == ExitCode::cancelled)
+  if (begun.error().kind == ErrorKind::cancelled)
     tellProgress(work);
   else
     fail(work, begun.error());

@@ -35,7 +35,7 @@ double asTyped(double value) {
 }
 
 Error noRange(std::string_view key, std::string_view text) {
-  return {.code = ExitCode::usage,
+  return {.kind = ErrorKind::usage,
           .message = fmt::format("'{}' is no range for {}", text, key),
           .hint = fmt::format("give FROM:TO:COUNT with COUNT from 1 to {}, such as 0.05:0.25:5, or one number",
                               kMostValues)};

@@ -81,7 +81,7 @@ Error refused(const SettingInfo& info, std::string message) {
   const std::string text = std::holds_alternative<bool Settings::*>(info.member)
                                ? std::string(standard != 0.0 ? "on" : "off")
                                : fmt::format("{:.9g}", standard);
-  return Error{.code = ExitCode::usage,
+  return Error{.kind = ErrorKind::usage,
                .message = std::move(message),
                .hint = fmt::format("give {} (default {})", range(info), text)};
 }
@@ -143,7 +143,7 @@ std::string settingText(const SettingInfo& info, double value) {
 Status setSetting(Settings& settings, std::string_view key, std::string_view value) {
   const SettingInfo* const info = findSetting(key);
   if (info == nullptr)
-    return Error{.code = ExitCode::usage,
+    return Error{.kind = ErrorKind::usage,
                  .message = fmt::format("there is no setting '{}'", shown(key)),
                  .hint = fmt::format("the settings are {}", keys())};
   const bool isSwitch = std::holds_alternative<bool Settings::*>(info->member);

@@ -1,6 +1,8 @@
 // The stages of the method in the order they run. The table with what each does is in pipeline.h.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace triscope {
@@ -36,5 +38,11 @@ constexpr bool isCarved(Stage stage) { return stage > Stage::carve; }
 constexpr bool isPastRounds(Stage stage) { return stage > Stage::repair; }
 
 inline constexpr int kStageCount = static_cast<int>(Stage::finished) + 1;
+
+/// What a stage is called in the hash of a state. It stays, whatever stages come between: a new one gets a new number.
+constexpr std::uint8_t codeOf(Stage stage) {
+  constexpr std::array<std::uint8_t, kStageCount> kCodes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
+  return kCodes[static_cast<std::size_t>(stage)];
+}
 
 }  // namespace triscope
