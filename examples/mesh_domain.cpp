@@ -6,6 +6,7 @@
 // is wrong, where, and what to do about it.
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <memory>
 
 #include "core/domain/read.h"
@@ -18,7 +19,7 @@ namespace {
 
 int fail(const triscope::Error& error) {
   fmt::print(stderr, "{}\n", triscope::describe(error));
-  return static_cast<int>(error.kind);
+  return EXIT_FAILURE;
 }
 
 }  // namespace
