@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "core/base/number.h"
 #include "core/method/estimate.h"
@@ -19,12 +19,6 @@ constexpr double kSpare = 1.1;  // a tree that grows further is estimated anew, 
 
 const SettingInfo& limitInfo() { return *findSetting("max_triangles"); }
 
-/// Rounded up to two digits.
-double roundedUp(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::ceil(value / unit) * unit;
-}
-
 }  // namespace
 
 void LimitDialog::prepare(const MeshState& stopped) {
@@ -36,8 +30,9 @@ void LimitDialog::prepare(const MeshState& stopped) {
   reason_ = fmt::format("The limit is {}. Most are asked for by {}, for edges of length {}.",
                         counted(static_cast<std::uint64_t>(stopped.settings.maxTriangles), "triangle", "triangles"),
                         asker.name, compact(asker.length));
-  hint_ = tooManyTriangles(stopped).hint;
-  minEdge_ = minEdgeBelowLimit(stopped).value_or(2.0 * std::max(stopped.minEdge, asker.length));
+  const std::optional<double> minEdge = minEdgeBelowLimit(stopped, asker);
+  hint_ = adviceFor(asker, asker.source == Rule::user_request ? lengthBelowLimit(stopped, asker) : minEdge);
+  minEdge_ = minEdge.value_or(2.0 * std::max(stopped.minEdge, asker.length));
   most_ = roundedUp(kSpare * estimate.triangles);
 }
 

@@ -21,4 +21,9 @@ std::string compact(double value, int digits) {
   return text == "-0" ? "0" : text;
 }
 
+double roundedUp(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::ceil(value / unit - 1e-9) * unit;  // what has two digits already stays
+}
+
 }  // namespace triscope

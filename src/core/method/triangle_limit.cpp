@@ -57,12 +57,6 @@ std::size_t groupOf(const Domain& domain, const Constraint& constraint) {
          static_cast<std::size_t>(Rule::curvature);
 }
 
-/// Rounded up to two digits, so that it can be typed.
-double roundedUp(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::ceil(value / unit - 1e-9) * unit;
-}
-
 /// Whether the density of an input asks for no more than its limit.
 bool staysBelow(std::shared_ptr<const Domain> domain, const Settings& settings) {
   Result<MeshState> state = begin(std::move(domain), settings);
@@ -77,6 +71,7 @@ template <class Does>
 std::optional<double> firstBelow(const MeshState& stopped, double length, const Does& does) {
   constexpr int kTries = 12;
   constexpr double kStep = 1.15;
+  if (!stopped.mesh.triangles.empty()) return std::nullopt;  // the density was not what asked for too many
   // Triangles go with the square of the length, but not quite: a tree that was given up early says little of the whole,
   // and ranks are steps.
   length *= 1.05 * std::sqrt(std::max(1.0, stopped.estimatedTriangles / stopped.settings.maxTriangles));
@@ -109,20 +104,21 @@ void holdToLimit(MeshState& state, double triangles, Journal& journal) {
   journal.record(event);
 }
 
-std::optional<double> minEdgeBelowLimit(const MeshState& stopped) {
+std::optional<double> minEdgeBelowLimit(const MeshState& stopped, const Asker& asker) {
   // Below what is asked for, Δx changes nothing.
-  return firstBelow(stopped, std::max(stopped.minEdge, askerOf(stopped).length), [&](double length) {
+  return firstBelow(stopped, std::max(stopped.minEdge, asker.length), [&](double length) {
     Settings settings = stopped.settings;
     settings.minEdge = length;
     return staysBelow(stopped.domain, settings);
   });
 }
 
-std::optional<double> requestBelowLimit(const MeshState& stopped, const Asker& request) {
-  return firstBelow(stopped, request.length, [&](double length) {
+std::optional<double> lengthBelowLimit(const MeshState& stopped, const Asker& asker) {
+  if (asker.source != Rule::user_request) return minEdgeBelowLimit(stopped, asker);
+  return firstBelow(stopped, asker.length, [&](double length) {
     auto changed = std::make_shared<Domain>(*stopped.domain);
-    changed->density[request.curve].length = length;
-    changed->density[request.curve].rank = 0;
+    changed->density[asker.curve].length = length;
+    changed->density[asker.curve].rank = 0;
     return staysBelow(std::move(changed), stopped.settings);
   });
 }
@@ -169,13 +165,8 @@ Asker askerOf(const MeshState& state) {
   return {most.source, most.curve, most.finest, most.at, nameOf(domain, most.source, most.curve)};
 }
 
-namespace {
-
-std::string hintOf(const MeshState& state, const Asker& asker) {
+std::string adviceFor(const Asker& asker, std::optional<double> length) {
   constexpr std::string_view kOr = "or raise max_triangles";
-  if (!state.mesh.triangles.empty()) return fmt::format("simplify the domain, {}", kOr);
-  const bool request = asker.source == Rule::user_request;
-  const std::optional<double> length = request ? requestBelowLimit(state, asker) : minEdgeBelowLimit(state);
   if (!length) return fmt::format("simplify the domain, {}", kOr);
   switch (asker.source) {
     case Rule::user_request:
@@ -191,8 +182,6 @@ std::string hintOf(const MeshState& state, const Asker& asker) {
   }
 }
 
-}  // namespace
-
 Error tooManyTriangles(const MeshState& state) {
   const Estimate estimate = estimateOf(state);
   const Asker asker = askerOf(state);
@@ -207,7 +196,7 @@ Error tooManyTriangles(const MeshState& state) {
               "the mesh would have {}, and take {} of memory, but max_triangles is {}; most are asked "
               "for by {}, for edges of length {}",
               size, bytesText(estimate.bytes), state.settings.maxTriangles, asker.name, compact(asker.length)),
-          .hint = hintOf(state, asker),
+          .hint = adviceFor(asker, lengthBelowLimit(state, asker)),
           .file = state.domain->file,
           .at = asker.at};
 }

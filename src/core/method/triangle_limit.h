@@ -37,9 +37,11 @@ Asker askerOf(const MeshState& state);
 
 /// A Δx, of two digits, with which the same input stays below the limit; nothing where none was found. Tries some
 /// densities, so that it may take as long as the largest that is allowed.
-std::optional<double> minEdgeBelowLimit(const MeshState& stopped);
-/// The same for the length that a density request asks for.
-std::optional<double> requestBelowLimit(const MeshState& stopped, const Asker& request);
+std::optional<double> minEdgeBelowLimit(const MeshState& stopped, const Asker& asker);
+/// The same for the length that the asker asks for: that of a density request, or else Δx.
+std::optional<double> lengthBelowLimit(const MeshState& stopped, const Asker& asker);
+/// What to change, in words; `length` is lengthBelowLimit().
+std::string adviceFor(const Asker& asker, std::optional<double> length);
 
 /// How many triangles and bytes it would take, what asks for them, and what to change.
 Error tooManyTriangles(const MeshState& state);
