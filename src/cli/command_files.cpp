@@ -1,7 +1,6 @@
 #include "cli/command_files.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/outputs.h"
@@ -21,17 +20,11 @@ std::vector<NamedFile> outputsOf(const std::vector<std::string>& paths) {
 
 /// The regular file that a standard stream leads into, when it is one of these; none where the stream was named.
 const NamedFile* ledInto(int stream, const CommandFiles& files) {
-  struct stat there{};
-  if (::fstat(stream, &there) != 0 || !S_ISREG(there.st_mode)) return nullptr;
-  const auto same = [&](const NamedFile& file) {
-    struct stat named{};
-    return !file.path.empty() && ::stat(file.path.c_str(), &named) == 0 && named.st_dev == there.st_dev &&
-           named.st_ino == there.st_ino;
-  };
+  const std::string there = fmt::format("/proc/self/fd/{}", stream);
   for (const NamedFile& input : files.inputs)
-    if (same(input)) return &input;
+    if (!input.path.empty() && sameFile(there, input.path)) return &input;
   for (const NamedFile& output : files.outputs)
-    if (same(output) && !descriptorNamed(output.path)) return &output;
+    if (!output.path.empty() && !descriptorNamed(output.path) && sameFile(there, output.path)) return &output;
   return nullptr;
 }
 
