@@ -60,7 +60,6 @@ const QualitySample* sampleAt(const RunRecord& record, std::uint64_t tick);
 
 class RunRecorder {
  public:
-  void restart() { *this = {}; }
   /// What comes after so many decisions and events will be another run.
   void forgetAfter(std::uint64_t tick, std::uint64_t events);
 

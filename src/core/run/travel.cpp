@@ -1,6 +1,15 @@
 #include "core/run/travel.h"
 
 namespace triscope {
+namespace {
+
+/// What has not been yet lies behind the last keyframe of a run that was carried further than its state.
+void toLastKeyframe(Run& run) {
+  const Keyframe& last = run.history.before(kUnknown);
+  if (last.state.tick > run.state.tick) returnTo(run, last);
+}
+
+}  // namespace
 
 Goal towardsTick(Run& run, std::uint64_t tick) {
   const Keyframe& start = run.history.before(tick == 0 ? 0 : tick - 1);
@@ -10,8 +19,7 @@ Goal towardsTick(Run& run, std::uint64_t tick) {
 
 Goal towardsEvent(Run& run, std::uint64_t index) {
   if (const std::optional<std::uint64_t> tick = run.recorder.tickOfEvent(index)) return towardsTick(run, *tick);
-  const Keyframe& last = run.history.before(kUnknown);
-  if (last.state.tick > run.state.tick) returnTo(run, last);
+  toLastKeyframe(run);
   return {.kind = Goal::Kind::event, .event = index};
 }
 
@@ -23,8 +31,7 @@ Goal towardsEntry(Run& run, const StageEntry& entry) {
 
 Goal towardsStage(Run& run, Stage stage) {
   if (const StageEntry* const entry = firstEntry(run.recorder.record(), stage)) return towardsEntry(run, *entry);
-  const Keyframe& last = run.history.before(kUnknown);
-  if (last.state.tick > run.state.tick) returnTo(run, last);
+  toLastKeyframe(run);
   return {.kind = Goal::Kind::entry, .tick = kUnknown, .stage = stage};
 }
 

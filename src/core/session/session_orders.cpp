@@ -41,7 +41,7 @@ SearchPulse searchPulse(SessionWork& work, std::uint64_t total) {
 }
 
 void beginSearch(SessionWork& work) {
-  if (hasGoal(work)) tellState(work);
+  if (isUnderWay(work)) tellState(work);
   setOut(work, {}, Activity::searching);
 }
 
@@ -74,12 +74,12 @@ bool startOver(SessionWork& work, std::shared_ptr<const Domain> domain, const Se
   const Activity before = std::exchange(work.activity, Activity::meshing);
   work.goalSince = SessionWork::Clock::now();
   work.beginning = true;
-  tellBeginning(work, probe, 0.0);
+  tellSearch(work, probe, 0.0);
   const bool opening = domain != work.driver.run.state.domain;
   const CommandTest test = [&](const Command& order) { return supersedes(work, order, opening); };
   Result<MeshState> begun = begin(std::move(domain), settings, [&](double fraction) {
     if (work.interrupted() && work.waits(test)) return false;
-    if (SessionWork::Clock::now() - work.lastTold >= kDerivingNews) tellBeginning(work, probe, fraction);
+    if (SessionWork::Clock::now() - work.lastTold >= kDerivingNews) tellSearch(work, probe, fraction);
     return true;
   });
   work.beginning = false;
@@ -133,7 +133,7 @@ void change(SessionWork& work, const Settings& settings) {
     }
     return setOut(work, {.kind = toEnd ? Goal::Kind::end : Goal::Kind::tick, .tick = tick}, Activity::meshing);
   }
-  if (!work.before && !hasGoal(work)) tellState(work);
+  if (!work.before && !isUnderWay(work)) tellState(work);
 }
 
 void setBreakpoints(SessionWork& work, std::vector<Breakpoint> list) {
@@ -145,7 +145,7 @@ void setBreakpoints(SessionWork& work, std::vector<Breakpoint> list) {
   });
   work.hitsChanged = true;
   headFor(work.driver, Goal(work.driver.goal));  // what is watched for has changed
-  if (hasBegun(run) && !work.before && !hasGoal(work)) tellState(work);
+  if (hasBegun(run) && !work.before && !isUnderWay(work)) tellState(work);
 }
 
 void goBackToBreakpoint(SessionWork& work) {

@@ -7,8 +7,6 @@
 
 namespace triscope {
 
-inline bool hasGoal(const SessionWork& work) { return work.driver.goal.kind != Goal::Kind::none; }
-
 /// Sets out for a goal, and says so.
 void setOut(SessionWork& work, const Goal& goal, Activity activity);
 /// Stops where the run is, which is then the run to show.
@@ -22,10 +20,9 @@ void dropEventsAfter(SessionWork& work);
 
 void tellState(SessionWork& work);
 void tellProgress(SessionWork& work);
-/// How far a search is: at `probe`, and that part of the way when it is known.
+/// How far a search is: at `probe`, and that part of the way when it is known. Of a run that has no state yet `probe`
+/// has the domain and the settings alone.
 void tellSearch(SessionWork& work, const MeshState& probe, std::optional<double> fraction);
-/// How far the derivation of Δx is for a run that has no state yet but the domain and settings of `probe`.
-void tellBeginning(SessionWork& work, const MeshState& probe, double fraction);
 void fail(SessionWork& work, Error error);
 /// Finds some more measures along the run, and tells them now and then.
 void traceOn(SessionWork& work);

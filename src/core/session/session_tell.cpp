@@ -54,6 +54,11 @@ Publication news(const SessionWork& work) {
   return news;
 }
 
+void deliver(SessionWork& work, Publication publication) {
+  work.tell(std::move(publication));
+  work.lastTold = SessionWork::Clock::now();
+}
+
 std::shared_ptr<const RunRecord> recordOf(const Run& run) {
   auto record = std::make_shared<RunRecord>(run.recorder.record());
   record->samples = run.trace.samples();
@@ -62,27 +67,15 @@ std::shared_ptr<const RunRecord> recordOf(const Run& run) {
 
 }  // namespace
 
-void tellProgress(SessionWork& work) {
-  work.tell(news(work));
-  work.lastTold = SessionWork::Clock::now();
-}
+void tellProgress(SessionWork& work) { deliver(work, news(work)); }
 
 void tellSearch(SessionWork& work, const MeshState& probe, std::optional<double> fraction) {
   Publication publication = news(work);
   publication.progress = progressAt(work, probe);
   if (fraction) publication.progress.fraction = *fraction;
-  work.tell(std::move(publication));
-  work.lastTold = SessionWork::Clock::now();
-}
-
-void tellBeginning(SessionWork& work, const MeshState& probe, double fraction) {
-  Publication publication = news(work);
-  publication.progress = progressAt(work, probe);
-  publication.progress.fraction = fraction;
   publication.settings = probe.settings;
   publication.domain = probe.domain;
-  work.tell(std::move(publication));
-  work.lastTold = SessionWork::Clock::now();
+  deliver(work, std::move(publication));
 }
 
 void tellState(SessionWork& work) {
@@ -102,8 +95,7 @@ void tellState(SessionWork& work) {
   publication.keepEvents = work.kept;
   work.kept += work.fresh.size();
   publication.freshEvents = std::exchange(work.fresh, {});
-  work.tell(std::move(publication));
-  work.lastTold = SessionWork::Clock::now();
+  deliver(work, std::move(publication));
   work.tellingCost = work.lastTold - start;
 }
 

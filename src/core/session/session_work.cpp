@@ -29,6 +29,13 @@ std::uint64_t earned(SessionWork& work, SessionWork::Clock::time_point now) {
   return due;
 }
 
+void standStill(SessionWork& work) {
+  headFor(work.driver, {});
+  work.pace.reset();
+  work.then.reset();
+  work.activity = Activity::idle;
+}
+
 std::string noticeOf(const SessionWork& work) {
   if (work.driver.stopped) {
     const Breakpoint& met = work.driver.breakpoints[work.driver.stopped->breakpoint];
@@ -90,7 +97,7 @@ void giveUp(SessionWork& work) {
   fail(work, notEnoughMemory());
 }
 
-bool isUnderWay(const SessionWork& work) { return hasGoal(work); }
+bool isUnderWay(const SessionWork& work) { return work.driver.goal.kind != Goal::Kind::none; }
 
 SessionWork::Clock::duration untilDue(const SessionWork& work) {
   if (!work.pace || work.pace->owed >= 1.0) return {};
@@ -115,11 +122,8 @@ void setOut(SessionWork& work, const Goal& goal, Activity activity) {
 }
 
 void halt(SessionWork& work) {
-  headFor(work.driver, {});
-  work.pace.reset();
-  work.then.reset();
+  standStill(work);
   work.before.reset();
-  work.activity = Activity::idle;
   tellState(work);
 }
 
@@ -129,16 +133,13 @@ void cancel(SessionWork& work) {
   work.kept = work.before->kept;
   work.before.reset();
   work.fresh.clear();
-  headFor(work.driver, {});
-  work.pace.reset();
-  work.then.reset();
-  work.activity = Activity::idle;
+  standStill(work);
   tellProgress(work);
 }
 
 void replaceRun(SessionWork& work, Run run) {
   if (!work.before && hasBegun(work.driver.run)) {
-    if (hasGoal(work) || !work.fresh.empty()) tellState(work);
+    if (isUnderWay(work) || !work.fresh.empty()) tellState(work);
     work.before = SessionWork::SetAside{std::move(work.driver.run), work.kept};
   }
   work.driver.run = std::move(run);
