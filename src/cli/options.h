@@ -10,7 +10,7 @@
 #include "core/words/settings.h"
 #include "core/words/stage.h"
 #include "render/view_options.h"
-#include "ui/window.h"
+#include "ui/app/window.h"
 
 namespace triscope {
 

@@ -27,9 +27,9 @@ double rowWidth(const LegendItem& item) {
   return kSampleWidth + kGap + textWidth(item.label, kText) + value;
 }
 
-class Panel {
+class LegendPainter {
  public:
-  Panel(double scale, double width, const Theme& theme, Canvas& canvas)
+  LegendPainter(double scale, double width, const Theme& theme, Canvas& canvas)
       : s_(scale), width_(width), theme_(theme), canvas_(canvas) {}
 
   void draw(const LegendItem& item, Point at) {
@@ -138,7 +138,7 @@ LegendSize legendSize(const std::vector<LegendItem>& legend, double scale) {
 }
 
 void drawLegend(const std::vector<LegendItem>& legend, Point at, double scale, const Theme& theme, Canvas& canvas) {
-  Panel panel(scale, legendSize(legend, scale).width, theme, canvas);
+  LegendPainter panel(scale, legendSize(legend, scale).width, theme, canvas);
   for (const LegendItem& item : legend) {
     panel.draw(item, at);
     at.y += rowHeight(item) * scale;

@@ -1,5 +1,5 @@
 // What the window has done beside it: one piece of work at a time, whose outcome is told once.
-#include "ui/background_job.h"
+#include "ui/model/background_job.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,179 @@
+// Stepping through one insertion. The state before it and the one after are the session's, as everywhere: the phases
+// are what takeApart() finds in the one before. The camera goes near where that is needed, and back afterwards.
+#include <algorithm>
+#include <utility>
+
+#include "core/geometry/circumcircle.h"
+#include "core/mesh/edit.h"
+#include "ui/app/app.h"
+
+namespace triscope {
+namespace {
+
+using Phase = InsertionPhase;
+
+// What was measured is too small to read below this width, in pixels at 100 % …
+constexpr double kLeast = 120.0;
+// … and in a small canvas below this part of its smaller side.
+constexpr double kLeastShare = 0.33;
+// The part of it that it fills once the camera has gone near.
+constexpr double kShare = 0.42;
+
+Phase next(Phase phase, int by) { return static_cast<Phase>(static_cast<int>(phase) + by); }
+
+/// The circles about what was measured; empty where nothing was.
+Box circlesOf(const Insertion& insertion) {
+  Box box;
+  if (!insertion.measured) return box;
+  const Measured& m = *insertion.measured;
+  const double reach = std::max(m.limit, distance(m.from, m.to));
+  box.include(m.from - Point{reach, reach});
+  box.include(m.from + Point{reach, reach});
+  return box;
+}
+
+/// What the phases show: candidate, walk, cavity and the circles about the point.
+Box extentOf(const Insertion& insertion, const Mesh& mesh) {
+  Box box;
+  box.include(insertion.at);
+  const auto add = [&](std::int32_t slot) {
+    for (const std::int32_t v : triangleAt(mesh, slot).v) box.include(pointOf(mesh, v));
+  };
+  if (insertion.candidate >= 0) add(insertion.candidate);
+  for (const std::int32_t slot : insertion.walk) add(slot);
+  for (const std::int32_t slot : insertion.cavity.triangles()) add(slot);
+  if (const Box circles = circlesOf(insertion); !circles.empty()) {
+    box.include(circles.lo);
+    box.include(circles.hi);
+  }
+  return box;
+}
+
+double sizeOf(const Box& box) { return std::max(box.width(), box.height()); }
+
+/// `focus` at its share of the picture, or less where all of `extent` is to be seen with it; never below `least`
+/// pixels.
+Camera cameraOn(Camera camera, const Box& focus, const Box& extent, double least) {
+  const Point middle = midpoint(focus.lo, focus.hi);
+  const Point out{std::max(extent.hi.x - middle.x, middle.x - extent.lo.x),
+                  std::max(extent.hi.y - middle.y, middle.y - extent.lo.y)};
+  const double smaller = std::min(camera.width, camera.height);
+  const Camera whole = fitted({middle - out, middle + out}, camera.width, camera.height, 0.06 * smaller);
+  camera.centre = middle;
+  camera.scale = std::max(std::min(whole.scale, kShare * smaller / sizeOf(focus)), least / sizeOf(focus));
+  return camera;
+}
+
+}  // namespace
+
+void App::stepInto() {
+  if (ui_.insertion.now && ui_.insertion.phase != Phase::filled) return showPhase(next(ui_.insertion.phase, 1));
+  ui_.message.clear();
+  entering_ = {Entering::Step::after, Phase::candidate, shown_->state.mesh.points.size(), 0};
+  run(command::Advance{Grain::insertion});
+}
+
+void App::stepBackOut() {
+  const InsertionUi& insertion = ui_.insertion;
+  if (insertion.now && insertion.phase != Phase::candidate) return showPhase(next(insertion.phase, -1));
+  ui_.message.clear();
+  const bool here = shown_->last && inserts(*shown_->last);
+  // In the middle of nothing the insertion just made is entered from its end; from the first phase it is the one
+  // before.
+  if (here) return enterInsertion(insertion.now ? Phase::filled : Phase::cavity);
+  entering_ = {Entering::Step::after, Phase::filled, 0, 0};
+  run(command::StepBack{Grain::insertion});
+}
+
+void App::enterInsertion(Phase phase) {
+  entering_ = {Entering::Step::before, phase, 0, shown_->events};
+  ui_.insertion = {};
+  ui_.insertion.after = shown_->state.tick;
+  run(command::Seek{shown_->state.tick - 1});
+}
+
+void App::takeApartHere() {
+  InsertionUi& insertion = ui_.insertion;
+  const Phase phase = entering_.phase;
+  const Events events = session_.runEvents();
+  const auto from = std::min<std::size_t>(static_cast<std::size_t>(shown_->events), events.size());
+  const auto to = std::min<std::size_t>(static_cast<std::size_t>(entering_.events), events.size());
+  entering_ = {};
+  std::optional<Insertion> apart;
+  for (std::size_t k = from; k < to && !apart; ++k) {
+    if (inserts(events[k])) apart = takeApart(shown_->state, events[k]);
+    // A repair may be two edits: the second one does not start from this state.
+    if (events[k].createdCount > 0) break;
+  }
+  if (!apart) {
+    const std::uint64_t after = insertion.after;
+    leaveInsertion();
+    run(command::Seek{after});
+    ui_.message =
+        "This insertion cannot be taken apart: the state before it has no triangulation, or it is the second of two "
+        "edits.";
+    return;
+  }
+  const Mesh& mesh = shown_->state.mesh;
+  for (int k = 1; k <= kInsertionPhases; ++k)
+    insertion.captions[static_cast<std::size_t>(k) - 1] = captionOf(*apart, mesh, static_cast<Phase>(k));
+  insertion.now = std::make_shared<const Insertion>(std::move(*apart));
+  insertion.phase = phase;
+  goNear(*insertion.now);
+  if (phase == Phase::filled) run(command::Seek{insertion.after});
+}
+
+void App::showPhase(Phase phase) {
+  InsertionUi& insertion = ui_.insertion;
+  entering_ = {};
+  insertion.phase = phase;
+  const std::uint64_t tick = phase == Phase::filled ? insertion.after : insertion.after - 1;
+  if (shown_->state.tick != tick) run(command::Seek{tick});
+}
+
+/// Where it would be too small to read, or is out of view, the camera follows.
+void App::goNear(const Insertion& insertion) {
+  const Box extent = extentOf(insertion, shown_->state.mesh);
+  const Box circles = circlesOf(insertion);
+  const Box& focus = circles.empty() ? extent : circles;
+  if (sizeOf(focus) <= 0.0) return;
+  const double least = std::min(kLeast * ui_.scale(), kLeastShare * std::min(ui_.camera.width, ui_.camera.height));
+  if (sizeOf(focus) * ui_.camera.scale >= least && shows(ui_.camera, extent)) return;
+  const bool moved = !near_ || !near_->isAt(ui_.camera);
+  if (moved) near_ = Near{ui_.camera, fitted_, {}};
+  ui_.camera = near_->camera = cameraOn(ui_.camera, focus, extent, least);
+  fitted_ = false;
+}
+
+void App::leaveInsertion() {
+  ui_.insertion = {};
+  // Unless it has been moved by hand meanwhile, the camera goes back to where it was.
+  if (const std::optional<Near> was = std::exchange(near_, std::nullopt); was && was->isAt(ui_.camera)) {
+    ui_.camera = resized(was->before, ui_.camera.width, ui_.camera.height);
+    fitted_ = was->fitted;
+  }
+}
+
+void App::followInsertion() {
+  if (shown_ == nullptr || session_.busy() || session_.stale()) return;
+  InsertionUi& insertion = ui_.insertion;
+  switch (entering_.step) {
+    case Entering::Step::after: {
+      const bool inserted = shown_->state.tick > 0 && shown_->state.mesh.points.size() > entering_.vertices;
+      if (inserted) return enterInsertion(entering_.phase);
+      entering_ = {};
+      leaveInsertion();
+      ui_.message = "No further point is inserted.";
+      return;
+    }
+    case Entering::Step::before:
+      return takeApartHere();
+    case Entering::Step::none: {
+      const std::uint64_t tick = insertion.phase == Phase::filled ? insertion.after : insertion.after - 1;
+      if (insertion.now && shown_->state.tick != tick) leaveInsertion();
+      return;
+    }
+  }
+}
+
+}  // namespace triscope

@@ -1,0 +1,25 @@
+// What the window shows, as JSON, for tests that press real keys and buttons and look at real pixels.
+#pragma once
+
+#include <string>
+
+#include "ui/model/view.h"
+
+namespace triscope {
+
+/// Everything but what changes by itself (time, frame count).
+std::string describeWindow(const View& view, const std::string& caption);
+
+class StateFile {
+ public:
+  explicit StateFile(std::string path) : path_(std::move(path)) {}
+  [[nodiscard]] bool wanted() const { return !path_.empty(); }
+  /// Written whole, and only when it says something new; `frame` counts frames drawn.
+  void update(const std::string& text, std::uint64_t frame);
+
+ private:
+  std::string path_;
+  std::string last_;
+};
+
+}  // namespace triscope
