@@ -174,7 +174,7 @@ class Complete(unittest.TestCase):
         import glob
         import re
         table = ""
-        for part in glob.glob(os.path.join(harness.SOURCE, "src", "ui", "action_table_*.h")):
+        for part in glob.glob(os.path.join(harness.SOURCE, "src", "ui", "app", "actions_*.h")):
             with open(part, encoding="utf-8") as file:
                 table += file.read()
         self.assertIn("{Action::quit,", table)

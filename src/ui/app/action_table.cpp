@@ -1,28 +1,30 @@
 // The table of actions, put together from its parts. docs/keys.md is printed from it.
 #include <algorithm>
 
-#include "ui/app/action_table_debug.h"
-#include "ui/app/action_table_run.h"
-#include "ui/app/action_table_view.h"
+#include "ui/app/actions_compare.h"
+#include "ui/app/actions_debug.h"
+#include "ui/app/actions_edit.h"
+#include "ui/app/actions_file.h"
+#include "ui/app/actions_run.h"
+#include "ui/app/actions_view.h"
 #include "ui/model/action.h"
 
 namespace triscope {
 namespace {
 
-constexpr std::array<ActionInfo, kActionCount> joined() {
-  static_assert(kRunActions.size() + kDebugActions.size() + kViewActions.size() == kActionCount);
-  std::array<ActionInfo, kActionCount> all{};
-  auto end = std::copy(kRunActions.begin(), kRunActions.end(), all.begin());
-  end = std::copy(kDebugActions.begin(), kDebugActions.end(), end);
-  std::copy(kViewActions.begin(), kViewActions.end(), end);
+template <std::size_t... Counts>
+constexpr auto joined(const std::array<ActionInfo, Counts>&... parts) {
+  std::array<ActionInfo, (Counts + ...)> all{};
+  auto end = all.begin();
+  ((end = std::copy(parts.begin(), parts.end(), end)), ...);
   return all;
 }
-constexpr std::array<ActionInfo, kActionCount> kActions = joined();
+constexpr auto kActions = joined(kFileActions, kRunActions, kEditActions, kDebugActions, kCompareActions, kViewActions);
 
 constexpr bool inOrder() {
-  for (int i = 0; i < kActionCount; ++i)
-    if (static_cast<int>(kActions[static_cast<std::size_t>(i)].id) != i) return false;
-  return true;
+  for (std::size_t k = 0; k < kActions.size(); ++k)
+    if (static_cast<std::size_t>(kActions[k].id) != k) return false;
+  return kActions.size() == static_cast<std::size_t>(kActionCount);
 }
 static_assert(inOrder());
 

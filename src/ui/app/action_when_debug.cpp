@@ -7,7 +7,7 @@
 namespace triscope::when {
 namespace {
 
-bool anyMark(const View& view, bool after) {
+bool anyMark(const RunView& view, bool after) {
   const std::uint64_t tick = view.now()->state.tick;
   const auto beyond = [&](const auto& mark) { return after ? mark.tick > tick : mark.tick < tick; };
   const std::vector<Bookmark>& bookmarks = view.ui.debug.bookmarks;
@@ -22,33 +22,33 @@ bool anyStop(const std::vector<Breakpoint>& list) {
 
 }  // namespace
 
-std::string holdsRun(const View& view) {
+std::string holdsRun(const RunView& view) {
   if (view.now() == nullptr) return "There is no mesh yet.";
   return view.session.stale() ? "A new mesh is being made; wait, or press Esc to keep the old one." : "";
 }
 
-std::string continuesBack(const View& view) {
+std::string continuesBack(const RunView& view) {
   if (std::string reason = goesBack(view); !reason.empty()) return reason;
   return anyStop(view.session.breakpoints()) ? "" : "There is no breakpoint that stops; add one (Ctrl+B).";
 }
 
-std::string hasSelection(const View& view) {
+std::string hasSelection(const RunView& view) {
   if (std::string reason = holdsRun(view); !reason.empty()) return reason;
   const bool selected = view.ui.selected.selection.kind != Selection::Kind::none;
   return selected ? "" : "Select a triangle, a vertex or a cell first.";
 }
 
-std::string hasMarkBefore(const View& view) {
+std::string hasMarkBefore(const RunView& view) {
   if (std::string reason = holdsRun(view); !reason.empty()) return reason;
   return anyMark(view, false) ? "" : "There is no mark before this decision.";
 }
 
-std::string hasMarkAfter(const View& view) {
+std::string hasMarkAfter(const RunView& view) {
   if (std::string reason = holdsRun(view); !reason.empty()) return reason;
   return anyMark(view, true) ? "" : "There is no mark after this decision.";
 }
 
-std::string differs(const View& view) {
+std::string differs(const RunView& view) {
   if (std::string reason = holdsRun(view); !reason.empty()) return reason;
   if (view.pinned == nullptr) return "No run is pinned as A (A).";
   if (view.pinned->session().busy()) return "Run A is being made.";

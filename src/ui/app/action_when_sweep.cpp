@@ -8,7 +8,7 @@ constexpr const char* kRunning = "A sweep is running; Esc gives it up.";
 
 }  // namespace
 
-std::string sweeps(const View& view) {
+std::string sweeps(const RunView& view) {
   if (view.ui.sweep.making) return kRunning;
   if (std::string reason = holdsRun(view); !reason.empty()) return reason;
   if (!refines(view.session.settings()))
@@ -16,7 +16,7 @@ std::string sweeps(const View& view) {
   return view.now()->state.failed ? "The method stopped here; change a parameter or the domain." : "";
 }
 
-std::string savesSweep(const View& view) {
+std::string savesSweep(const RunView& view) {
   const SweepUi& sweep = view.ui.sweep;
   if (sweep.making) return kRunning;
   if (!sweep.table) return "No sweep has been run yet.";
@@ -24,9 +24,9 @@ std::string savesSweep(const View& view) {
   return holds ? "" : "The sweep is out of date; run it again.";
 }
 
-std::string hasSweep(const View& view) { return view.ui.sweep.shown() ? "" : "No sweep has been run yet."; }
+std::string hasSweep(const RunView& view) { return view.ui.sweep.shown() ? "" : "No sweep has been run yet."; }
 
-std::string takesCell(const View& view) {
+std::string takesCell(const RunView& view) {
   if (std::string reason = hasSweep(view); !reason.empty()) return reason;
   return view.ui.sweep.chosen ? "" : "No pair of the sweep is chosen.";
 }

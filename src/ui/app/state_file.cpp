@@ -44,7 +44,7 @@ std::string_view word(const std::array<std::string_view, N>& words, Enum value) 
 std::string layers(const UiState& ui) {
   Object out;
   for (const ActionInfo& info : actions())
-    if (const std::optional<bool> on = isOn(info.id, ui); on && info.menu == Menu::view) out.flag(info.key, *on);
+    if (info.isOn != nullptr && info.menu == Menu::view) out.flag(info.key, info.isOn(ui));
   out.number("fill", static_cast<double>(ui.options.fill));
   return out.str();
 }

@@ -22,8 +22,8 @@ void ExportDialog::draw(const View& view, Orders& orders) {
   const ExportFormat* const chosen = exportFormatOf(path_);
   const bool sweep = chosen != nullptr && chosen->content == ExportFormat::Content::sweep;
   std::string reason = chosen == nullptr ? "The name must end in one of the formats above."
-                       : sweep           ? whyNot(Action::save_sweep, view)
-                                         : whyNot(Action::export_mesh, view);
+                       : sweep           ? infoOf(Action::save_sweep).whyNot(view)
+                                         : infoOf(Action::export_mesh).whyNot(view);
   const bool pressed = writeOrClose(
       view, orders, "export", "Export", reason,
       sweep ? "Writes the sweep, with the columns of 'triscope sweep'." : "Writes the mesh as it is at this moment.");

@@ -69,7 +69,7 @@ float iconButtonWidth(const View& view) { return ImGui::GetFrameHeight() * (inLo
 
 void actionButton(const View& view, Orders& orders, Action action, Icon icon) {
   const ActionInfo& info = infoOf(action);
-  const std::string reason = whyNot(action, view);
+  const std::string reason = infoOf(action).whyNot(view);
   const std::string name(info.key);
   ImGui::PushID(name.c_str());
   ImGui::BeginDisabled(!reason.empty());
@@ -92,7 +92,7 @@ void actionButton(const View& view, Orders& orders, Action action, Icon icon) {
 }
 
 void actionButton(const View& view, Orders& orders, Action action, const char* label, std::string_view name) {
-  const std::string reason = whyNot(action, view);
+  const std::string reason = infoOf(action).whyNot(view);
   ImGui::BeginDisabled(!reason.empty());
   if (ImGui::Button(label)) orders.emplace_back(action);
   ImGui::EndDisabled();
@@ -102,18 +102,17 @@ void actionButton(const View& view, Orders& orders, Action action, const char* l
 
 void actionEntry(const View& view, Orders& orders, Action action, const char* label, std::string_view name) {
   const ActionInfo& info = infoOf(action);
-  const std::string reason = whyNot(action, view);
+  const std::string reason = infoOf(action).whyNot(view);
   const std::string keys = info.chords[0].key == 0 ? std::string() : textOf(info.chords[0]);
-  if (ImGui::MenuItem(label, keys.c_str(), isOn(action, view.ui).value_or(false), reason.empty()))
-    orders.emplace_back(action);
+  if (ImGui::MenuItem(label, keys.c_str(), isOn(action, view.ui), reason.empty())) orders.emplace_back(action);
   note(view, name, reason.empty());
   tip(view, reason.empty() ? std::string(info.help) : std::string(info.help) + "\nNot now: " + reason);
 }
 
 void actionSwitch(const View& view, Orders& orders, Action action, const char* label) {
   const ActionInfo& info = infoOf(action);
-  const std::string reason = whyNot(action, view);
-  bool on = isOn(action, view.ui).value_or(false);
+  const std::string reason = infoOf(action).whyNot(view);
+  bool on = isOn(action, view.ui);
   ImGui::BeginDisabled(!reason.empty());
   if (ImGui::Checkbox(label, &on)) orders.emplace_back(action);
   ImGui::EndDisabled();

@@ -108,6 +108,11 @@ struct KeyChord {
 /// Where the keys of an action mean it.
 enum class Scope : std::uint8_t { window, heat_map };
 
+struct Parts;
+struct RunView;
+struct UiState;
+
+/// What a key, an entry or a button asks for: what it is called, when it can be done, and who does it.
 struct ActionInfo {
   Action id;
   Menu menu;
@@ -115,12 +120,21 @@ struct ActionInfo {
   std::string_view label;  // on menus: "Step back"
   std::string_view help;   // one sentence
   std::array<KeyChord, 3> chords;
+  std::string (*whyNot)(const RunView&);  // why it cannot be done right now, a sentence; empty when it can
+  void (*perform)(Parts&);
+  bool (*isOn)(const UiState&) = nullptr;  // of switches
   Scope scope = Scope::window;
 };
 
 /// One entry per Action, in order.
 std::span<const ActionInfo> actions();
 inline const ActionInfo& infoOf(Action action) { return actions()[static_cast<std::size_t>(action)]; }
+
+/// Whether a switch is on; false for actions that are no switches.
+inline bool isOn(Action action, const UiState& ui) {
+  const ActionInfo& info = infoOf(action);
+  return info.isOn != nullptr && info.isOn(ui);
+}
 
 /// The action that a key press asks for there; lock keys are ignored.
 std::optional<Action> actionFor(int key, int mods, Scope scope = Scope::window);

@@ -81,6 +81,7 @@ struct UiState {
   ViewOptions options;
   bool layersFollow = true;  // the stage, until one of them is switched by hand
   Camera camera;
+  bool fitted = true;  // it shows the whole domain, and is to go on doing so
   Appearance look;
   double monitorScale = 1.0;
   double speed = 60.0;             // decisions per second when playing
@@ -103,49 +104,45 @@ struct UiState {
   bool exporting = false;
   double frameMs = 0.0;
   LegendPlace legendPlace = LegendPlace::anywhere;
-  bool legendFolded = false;  // it has room neither in the right column nor over the picture: a button stands for it
-  bool legendOver = false;    // folded, but shown over the picture all the same
-  bool tipsWait = false;      // a key was pressed: no tooltip until the mouse moves
+  bool legendFolded = false;    // it has room neither in the right column nor over the picture: a button stands for it
+  bool legendOnCanvas = false;  // over the picture
+  bool legendOver = false;      // folded, but shown over the picture all the same
+  bool tipsWait = false;        // a key was pressed: no tooltip until the mouse moves
   std::uint64_t keysPressed = 0;     // that have been acted on, without modifiers
   std::uint64_t buttonsPressed = 0;  // of the mouse
   std::uint64_t buttonsReleased = 0;
   [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }
 };
 
-struct View {
+/// The run and the window's state, and what is often asked of the two together.
+struct RunView {
   const Session& session;
   const UiState& ui;
-  const Scene& scene;
-  const Fonts& fonts;
-  const DebugAnswers& debug;
-  unsigned canvasTexture = 0;
-  bool legendOnCanvas = false;                 // over the picture
-  std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
-  const PinnedRun* pinned = nullptr;           // run A; null when none is pinned
-  std::string* tooltip = nullptr;              // that shows; null when nobody asks
+  const PinnedRun* pinned = nullptr;  // run A; null when none is pinned
   [[nodiscard]] const Snapshot* now() const { return session.current().get(); }
-  [[nodiscard]] const Theme& theme() const { return scene.theme; }
   /// Where what is selected is in the mesh shown; kind none where it is not part of it, or nothing is selected.
   [[nodiscard]] Selection selection() const { return now() ? present(now()->state, ui.selected) : Selection{}; }
   /// The density constraint that is selected; null when none is.
   [[nodiscard]] const DensityRequest* request() const;
   /// Whether what is shown is the state of the insertion's phase: on the way there, it is not.
-  [[nodiscard]] bool inInsertion() const {
-    const InsertionUi& insertion = ui.insertion;
-    if (insertion.now == nullptr || now() == nullptr || session.stale()) return false;
-    return now()->state.tick == (insertion.phase == InsertionPhase::filled ? insertion.after : insertion.after - 1);
-  }
+  [[nodiscard]] bool inInsertion() const;
   /// The stage that is told of: inside an insertion its own, whatever came before it. There must be a mesh.
   [[nodiscard]] Stage stage() const { return inInsertion() ? ui.insertion.now->event.stage : stageOf(*now()); }
   /// Of steps 2 to 5, or the pass of step 6, likewise.
   [[nodiscard]] int round() const { return inInsertion() ? ui.insertion.now->event.round : now()->state.round; }
+};
+
+struct View : RunView {
+  const Scene& scene;
+  const Fonts& fonts;
+  const DebugAnswers& debug;
+  unsigned canvasTexture = 0;
+  bool legendOnCanvas = false;                 // the legend lies over this picture
+  std::vector<WidgetRect>* widgets = nullptr;  // null when nobody asks
+  std::string* tooltip = nullptr;              // that shows; null when nobody asks
+  [[nodiscard]] const Theme& theme() const { return scene.theme; }
   /// Pixels for a length at 100 %.
   [[nodiscard]] float px(double at100) const { return static_cast<float>(at100 * ui.scale()); }
 };
-
-/// Why an action cannot be done right now; empty when it can.
-std::string whyNot(Action action, const View& view);
-/// Whether a switch is on; nothing for actions that are no switches.
-std::optional<bool> isOn(Action action, const UiState& ui);
 
 }  // namespace triscope

@@ -116,13 +116,13 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
       orders.emplace_back(command::GoTo{info.id});
   }
   ImGui::PopID();
-  note(view, "stage." + std::string(info.key));
+  note(view, fmt::format("stage.{}", info.key));
   if (current) note(view, "current_stage");
-  std::string hint = std::string(does) + ".";
+  std::string hint = fmt::format("{}.", does);
   hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
-  if (!info.figure.empty()) hint += " " + std::string(info.figure) + " of the paper.";
+  if (!info.figure.empty()) hint += fmt::format(" {} of the paper.", info.figure);
   if (state != nullptr && state->counts[static_cast<std::size_t>(info.id)].decisions > 0)
-    hint += "\n" + countsInWords(state->counts[static_cast<std::size_t>(info.id)]);
+    hint += fmt::format("\n{}", countsInWords(state->counts[static_cast<std::size_t>(info.id)]));
   tip(view, hint + "\nClick to go to where it begins.");
   // The current stage is brought into view when it or the room has changed, and not when the list is scrolled by hand.
   ImGuiStorage& memory = *ImGui::GetStateStorage();

@@ -91,8 +91,14 @@ void aboutTheElement(const View& view, Orders& orders, Point mouse) {
   // An action is offered where it can be done once the element is selected.
   UiState selected = view.ui;
   selected.selected = here;
-  const View then{view.session,        selected,     view.scene,  view.fonts,  view.debug, view.canvasTexture,
-                  view.legendOnCanvas, view.widgets, view.pinned, view.tooltip};
+  const View then{{view.session, selected, view.pinned},
+                  view.scene,
+                  view.fonts,
+                  view.debug,
+                  view.canvasTexture,
+                  view.legendOnCanvas,
+                  view.widgets,
+                  view.tooltip};
   const auto ask = [&](Action action, const char* label, const char* name) {
     Orders asked;
     actionEntry(then, asked, action, label, name);
@@ -244,7 +250,7 @@ void drawCanvas(const View& view, Orders& orders) {
   const Panes panes = panesOf(whole, view.pinned != nullptr);
   if (view.pinned != nullptr) {
     const PinnedRun& run = *view.pinned;
-    const View a{run.session(), view.ui, run.scene(), view.fonts, view.debug, run.texture(), false, view.widgets};
+    const View a{{run.session(), view.ui}, run.scene(), view.fonts, view.debug, run.texture(), false, view.widgets};
     pane(a, view, orders, panes.pinned, "canvas.A");
   }
   pane(view, view, orders, panes.live, "canvas");

@@ -1,4 +1,5 @@
-// Writing meshes, domains and pictures, on a thread of its own.
+#include "ui/app/exporting.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include "core/io/export.h"
 #include "core/io/write_mesh.h"
 #include "render/figure.h"
-#include "ui/app/app.h"
 #include "ui/model/export_format.h"
 
 namespace triscope {
@@ -33,15 +33,16 @@ Status writeAs(const ExportFormat& format, const std::string& path, const MeshSt
 
 }  // namespace
 
-std::string App::suggestedPath(const char* extension) const {
-  std::string name = shownDomain_ && !shownDomain_->name.empty() ? shownDomain_->name : "mesh";
+std::string suggestedPath(const Desk& desk, const char* extension) {
+  const Domain* const domain = shownDomain(desk);
+  std::string name = domain != nullptr && !domain->name.empty() ? domain->name : "mesh";
   std::replace_if(name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
   std::error_code failure;
   return (std::filesystem::current_path(failure) / (name + extension)).string();
 }
 
-std::string App::freePath(const char* extension) const {
-  const std::string wanted = suggestedPath(extension);
+std::string freePath(const Desk& desk, const char* extension) {
+  const std::string wanted = suggestedPath(desk, extension);
   const std::string stem = wanted.substr(0, wanted.size() - std::string_view(extension).size());
   std::error_code failure;
   std::string path = wanted;
@@ -49,50 +50,49 @@ std::string App::freePath(const char* extension) const {
   return path;
 }
 
-void App::exportTo(const std::string& path) {
-  if (export_.running()) return;
-  const SnapshotPtr now = session_.current();
+void Exporting::writeTo(const std::string& path) {
+  if (job_.running()) return;
+  const SnapshotPtr now = desk_.session.current();
   const ExportFormat* const format = exportFormatOf(path);  // there is one: the dialog takes no other name
   if (now == nullptr || format == nullptr) return;
   // The domain itself may replace the file that it came from: the dialog has said that there is one.
-  std::vector<NamedFile> inputs{{"the session that is open", ui_.document.path}};
-  if (format->content != ExportFormat::Content::domain) inputs.push_back(openDomain());
+  std::vector<NamedFile> inputs{{"the session that is open", desk_.ui.document.path}};
+  if (format->content != ExportFormat::Content::domain) inputs.push_back(openDomain(desk_));
   std::vector<NamedFile> outputs{{"the export", path}};
   for (const std::string& file : meshFilesOf(path))
     if (file != path) outputs.push_back({"the export as " + path, file});
-  if (const Status apart = checkOverwrites(inputs, outputs); !apart) return complain(apart.error());
-  ui_.exporting = true;
-  exportPath_ = path;
-  ui_.message = "Writing " + path + " …";
-  ViewOptions options = ui_.options;
-  options.theme = ui_.look.theme;
-  options.selection = view().selection();
+  if (const Status apart = checkOverwrites(inputs, outputs); !apart) return complain(desk_.ui, apart.error());
+  desk_.ui.exporting = true;
+  path_ = path;
+  desk_.ui.message = "Writing " + path + " …";
+  ViewOptions options = desk_.ui.options;
+  options.theme = desk_.ui.look.theme;
+  options.selection = runOf(desk_).selection();
   FigureOptions figure;
-  figure.width = static_cast<int>(ui_.camera.width);
-  figure.height = static_cast<int>(ui_.camera.height);
-  figure.scale = ui_.scale();
+  figure.width = static_cast<int>(desk_.ui.camera.width);
+  figure.height = static_cast<int>(desk_.ui.camera.height);
+  figure.scale = desk_.ui.scale();
   figure.title = figureTitle(now->state, now->state.stage);
   figure.caption = figureCaption(now->state, now->state.stage);
-  figure.region = visibleBox(ui_.camera);
-  export_.start(
+  figure.region = visibleBox(desk_.ui.camera);
+  job_.start(
       [now, path, format, options, figure,
-       rows = ui_.sweep.table ? rowsOf(*ui_.sweep.table) : std::vector<SweepRow>()] {
+       rows = desk_.ui.sweep.table ? rowsOf(*desk_.ui.sweep.table) : std::vector<SweepRow>()] {
         return writeAs(*format, path, now->state, rows, options, figure);
       },
-      wake_);
+      desk_.wake);
 }
 
-void App::finishExport() {
-  const std::optional<Status> outcome = export_.finished();
+void Exporting::follow() {
+  const std::optional<Status> outcome = job_.finished();
   if (!outcome) return;
-  ui_.exporting = false;
+  desk_.ui.exporting = false;
   if (*outcome) {
-    ui_.message = "Wrote " + exportPath_ + ".";
+    desk_.ui.message = "Wrote " + path_ + ".";
     return;
   }
-  ui_.message.clear();
-  ui_.error = outcome->error();
-  ui_.dialog = Dialog::error;
+  desk_.ui.message.clear();
+  complain(desk_.ui, outcome->error());
 }
 
 }  // namespace triscope

@@ -1,11 +1,10 @@
-// Stepping through one insertion. The state before it and the one after are the session's, as everywhere: the phases
-// are what takeApart() finds in the one before. The camera goes near where that is needed, and back afterwards.
+#include "ui/app/insertion_walk.h"
+
 #include <algorithm>
 #include <utility>
 
 #include "core/geometry/circumcircle.h"
 #include "core/mesh/edit.h"
-#include "ui/app/app.h"
 
 namespace triscope {
 namespace {
@@ -66,114 +65,122 @@ Camera cameraOn(Camera camera, const Box& focus, const Box& extent, double least
 
 }  // namespace
 
-void App::stepInto() {
-  if (ui_.insertion.now && ui_.insertion.phase != Phase::filled) return showPhase(next(ui_.insertion.phase, 1));
-  ui_.message.clear();
-  entering_ = {Entering::Step::after, Phase::candidate, shown_->state.mesh.points.size(), 0};
-  run(command::Advance{Grain::insertion});
+void InsertionWalk::stepInto() {
+  if (desk_.ui.insertion.now && desk_.ui.insertion.phase != Phase::filled)
+    return showPhase(next(desk_.ui.insertion.phase, 1));
+  desk_.ui.message.clear();
+  entering_ = {Entering::Step::after, Phase::candidate, desk_.shown->state.mesh.points.size(), 0};
+  give(desk_, command::Advance{Grain::insertion});
 }
 
-void App::stepBackOut() {
-  const InsertionUi& insertion = ui_.insertion;
+void InsertionWalk::stepBack() {
+  const InsertionUi& insertion = desk_.ui.insertion;
   if (insertion.now && insertion.phase != Phase::candidate) return showPhase(next(insertion.phase, -1));
-  ui_.message.clear();
-  const bool here = shown_->last && inserts(*shown_->last);
+  desk_.ui.message.clear();
+  const bool here = desk_.shown->last && inserts(*desk_.shown->last);
   // In the middle of nothing the insertion just made is entered from its end; from the first phase it is the one
   // before.
-  if (here) return enterInsertion(insertion.now ? Phase::filled : Phase::cavity);
+  if (here) return enter(insertion.now ? Phase::filled : Phase::cavity);
   entering_ = {Entering::Step::after, Phase::filled, 0, 0};
-  run(command::StepBack{Grain::insertion});
+  give(desk_, command::StepBack{Grain::insertion});
 }
 
-void App::enterInsertion(Phase phase) {
-  entering_ = {Entering::Step::before, phase, 0, shown_->events};
-  ui_.insertion = {};
-  ui_.insertion.after = shown_->state.tick;
-  run(command::Seek{shown_->state.tick - 1});
+void InsertionWalk::enter(Phase phase) {
+  entering_ = {Entering::Step::before, phase, 0, desk_.shown->events};
+  desk_.ui.insertion = {};
+  desk_.ui.insertion.after = desk_.shown->state.tick;
+  give(desk_, command::Seek{desk_.shown->state.tick - 1});
 }
 
-void App::takeApartHere() {
-  InsertionUi& insertion = ui_.insertion;
+void InsertionWalk::takeApartHere() {
+  InsertionUi& insertion = desk_.ui.insertion;
   const Phase phase = entering_.phase;
-  const Events events = session_.runEvents();
-  const auto from = std::min<std::size_t>(static_cast<std::size_t>(shown_->events), events.size());
+  const Events events = desk_.session.runEvents();
+  const auto from = std::min<std::size_t>(static_cast<std::size_t>(desk_.shown->events), events.size());
   const auto to = std::min<std::size_t>(static_cast<std::size_t>(entering_.events), events.size());
   entering_ = {};
   std::optional<Insertion> apart;
   for (std::size_t k = from; k < to && !apart; ++k) {
-    if (inserts(events[k])) apart = takeApart(shown_->state, events[k]);
+    if (inserts(events[k])) apart = takeApart(desk_.shown->state, events[k]);
     // A repair may be two edits: the second one does not start from this state.
     if (events[k].createdCount > 0) break;
   }
   if (!apart) {
     const std::uint64_t after = insertion.after;
-    leaveInsertion();
-    run(command::Seek{after});
-    ui_.message =
+    leave();
+    give(desk_, command::Seek{after});
+    desk_.ui.message =
         "This insertion cannot be taken apart: the state before it has no triangulation, or it is the second of two "
         "edits.";
     return;
   }
-  const Mesh& mesh = shown_->state.mesh;
+  const Mesh& mesh = desk_.shown->state.mesh;
   for (int k = 1; k <= kInsertionPhases; ++k)
     insertion.captions[static_cast<std::size_t>(k) - 1] = captionOf(*apart, mesh, static_cast<Phase>(k));
   insertion.now = std::make_shared<const Insertion>(std::move(*apart));
   insertion.phase = phase;
   goNear(*insertion.now);
-  if (phase == Phase::filled) run(command::Seek{insertion.after});
+  if (phase == Phase::filled) give(desk_, command::Seek{insertion.after});
 }
 
-void App::showPhase(Phase phase) {
-  InsertionUi& insertion = ui_.insertion;
+void InsertionWalk::showPhase(Phase phase) {
+  InsertionUi& insertion = desk_.ui.insertion;
   entering_ = {};
   insertion.phase = phase;
   const std::uint64_t tick = phase == Phase::filled ? insertion.after : insertion.after - 1;
-  if (shown_->state.tick != tick) run(command::Seek{tick});
+  if (desk_.shown->state.tick != tick) give(desk_, command::Seek{tick});
 }
 
 /// Where it would be too small to read, or is out of view, the camera follows.
-void App::goNear(const Insertion& insertion) {
-  const Box extent = extentOf(insertion, shown_->state.mesh);
+void InsertionWalk::goNear(const Insertion& insertion) {
+  const Box extent = extentOf(insertion, desk_.shown->state.mesh);
   const Box circles = circlesOf(insertion);
   const Box& focus = circles.empty() ? extent : circles;
   if (sizeOf(focus) <= 0.0) return;
-  const double least = std::min(kLeast * ui_.scale(), kLeastShare * std::min(ui_.camera.width, ui_.camera.height));
-  if (sizeOf(focus) * ui_.camera.scale >= least && shows(ui_.camera, extent)) return;
-  const bool moved = !near_ || !near_->isAt(ui_.camera);
-  if (moved) near_ = Near{ui_.camera, fitted_, {}};
-  ui_.camera = near_->camera = cameraOn(ui_.camera, focus, extent, least);
-  fitted_ = false;
+  const double least =
+      std::min(kLeast * desk_.ui.scale(), kLeastShare * std::min(desk_.ui.camera.width, desk_.ui.camera.height));
+  if (sizeOf(focus) * desk_.ui.camera.scale >= least && shows(desk_.ui.camera, extent)) return;
+  const bool moved = !near_ || !near_->isAt(desk_.ui.camera);
+  if (moved) near_ = Near{desk_.ui.camera, desk_.ui.fitted, {}};
+  desk_.ui.camera = near_->camera = cameraOn(desk_.ui.camera, focus, extent, least);
+  desk_.ui.fitted = false;
 }
 
-void App::leaveInsertion() {
-  ui_.insertion = {};
+void InsertionWalk::leave() {
+  desk_.ui.insertion = {};
   // Unless it has been moved by hand meanwhile, the camera goes back to where it was.
-  if (const std::optional<Near> was = std::exchange(near_, std::nullopt); was && was->isAt(ui_.camera)) {
-    ui_.camera = resized(was->before, ui_.camera.width, ui_.camera.height);
-    fitted_ = was->fitted;
+  if (const std::optional<Near> was = std::exchange(near_, std::nullopt); was && was->isAt(desk_.ui.camera)) {
+    desk_.ui.camera = resized(was->before, desk_.ui.camera.width, desk_.ui.camera.height);
+    desk_.ui.fitted = was->fitted;
   }
 }
 
-void App::followInsertion() {
-  if (shown_ == nullptr || session_.busy() || session_.stale()) return;
-  InsertionUi& insertion = ui_.insertion;
+void InsertionWalk::follow() {
+  if (desk_.shown == nullptr || desk_.session.busy() || desk_.session.stale()) return;
+  InsertionUi& insertion = desk_.ui.insertion;
   switch (entering_.step) {
     case Entering::Step::after: {
-      const bool inserted = shown_->state.tick > 0 && shown_->state.mesh.points.size() > entering_.vertices;
-      if (inserted) return enterInsertion(entering_.phase);
+      const bool inserted = desk_.shown->state.tick > 0 && desk_.shown->state.mesh.points.size() > entering_.vertices;
+      if (inserted) return enter(entering_.phase);
       entering_ = {};
-      leaveInsertion();
-      ui_.message = "No further point is inserted.";
+      leave();
+      desk_.ui.message = "No further point is inserted.";
       return;
     }
     case Entering::Step::before:
       return takeApartHere();
     case Entering::Step::none: {
       const std::uint64_t tick = insertion.phase == Phase::filled ? insertion.after : insertion.after - 1;
-      if (insertion.now && shown_->state.tick != tick) leaveInsertion();
+      if (insertion.now && desk_.shown->state.tick != tick) leave();
       return;
     }
   }
+}
+
+void InsertionWalk::forget() {
+  desk_.ui.insertion = {};
+  near_.reset();
+  entering_ = {};
 }
 
 }  // namespace triscope

@@ -1,0 +1,88 @@
+// What the menu File offers, and what is done for it. Only for action_table.cpp.
+#pragma once
+
+#include <GLFW/glfw3.h>
+
+#include "ui/app/action_row.h"
+
+namespace triscope {
+
+inline constexpr auto kFileActions = std::to_array<ActionInfo>({
+    {Action::open,
+     Menu::file,
+     "open",
+     "Open…",
+     "Opens a domain file or a session.",
+     {{{GLFW_KEY_O, GLFW_MOD_CONTROL}}},
+     when::always,
+     [](Parts& p) { p.dialogs.askWhatToOpen(); }},
+    {Action::reload,
+     Menu::file,
+     "reload",
+     "Read again",
+     "Reads the domain file again and meshes it.",
+     {{{GLFW_KEY_R, GLFW_MOD_CONTROL}}},
+     when::readsAgain,
+     [](Parts& p) { apply(p, command::OpenFile{shownDomain(p.desk)->file}); }},
+    {Action::save_session,
+     Menu::file,
+     "save_session",
+     "Save session",
+     "Writes the domain, the parameters, breakpoints, bookmarks, notes and where you are to a session file.",
+     {{{GLFW_KEY_S, GLFW_MOD_CONTROL}}},
+     when::savesSession,
+     [](Parts& p) {
+       const std::string& path = p.desk.ui.document.path;
+       path.empty() ? p.dialogs.askWhereToSave() : p.document.saveTo(path);
+     }},
+    {Action::save_session_as,
+     Menu::file,
+     "save_session_as",
+     "Save session as…",
+     "Saves the session under another name.",
+     {{{GLFW_KEY_S, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT}}},
+     when::savesSession,
+     [](Parts& p) { p.dialogs.askWhereToSave(); }},
+    {Action::restore_work,
+     Menu::file,
+     "restore_work",
+     "Restore unsaved work",
+     "Opens the latest work that was not saved: when the program was killed, or something else was opened over it.",
+     {},
+     when::restores,
+     [](Parts& p) { p.document.restore(); }},
+    {Action::export_mesh,
+     Menu::file,
+     "export_mesh",
+     "Export…",
+     "Writes the mesh or a picture of it to a file.",
+     {{{GLFW_KEY_E, GLFW_MOD_CONTROL}}},
+     when::writes,
+     [](Parts& p) { p.dialogs.askWhereToExport(".msh"); }},
+    {Action::save_picture,
+     Menu::file,
+     "save_picture",
+     "Save picture",
+     "Writes the canvas as a PNG picture.",
+     {{{GLFW_KEY_F12, 0}}},
+     when::writes,
+     [](Parts& p) { p.exporting.writeTo(freePath(p.desk, ".png")); }},
+    {Action::save_figure,
+     Menu::file,
+     "save_figure",
+     "Save vector figure",
+     "Writes the canvas as an SVG figure.",
+     {{{GLFW_KEY_F12, GLFW_MOD_CONTROL}}},
+     when::writes,
+     [](Parts& p) { p.exporting.writeTo(freePath(p.desk, ".svg")); }},
+    {Action::quit,
+     Menu::file,
+     "quit",
+     "Quit",
+     "Closes the window.",
+     {{{GLFW_KEY_Q, GLFW_MOD_CONTROL}}},
+     when::always,
+     [](Parts& p) { p.closing = true; }},
+});
+
+}  // namespace triscope
