@@ -35,6 +35,18 @@ TEST(SessionSettings, AChangeWithNoDomainOpenIsForTheNextOne) {
   EXPECT_EQ(session.notice(), "") << "there was no domain before that they could be kept from";
 }
 
+TEST(SessionSettings, WhatIsShownIsStaleAsSoonAsAChangeIsGiven) {
+  Session session;
+  doNow(session, command::OpenDomain{square(0.5)});
+  EXPECT_FALSE(session.stale());
+  Settings settings = session.settings();
+  settings.omega = 0.22;
+  session.apply(command::Change{settings});
+  EXPECT_TRUE(session.stale()) << "also before the worker has heard of it";
+  session.settle(kForever);
+  EXPECT_FALSE(session.stale());
+}
+
 TEST(SessionSettings, AChangeBeforeTheFirstDecisionDerivesTheLengthsAgain) {
   const auto domain = square(0.0);
   Session session;

@@ -44,9 +44,10 @@ bool Session::poll() {
   error_ = std::move(news->error);
   failures_ = news->failures;
   stale_ = news->stale;
+  ordersDone_ = news->ordersDone;
   beforeRefinement_ = std::move(news->beforeRefinement);
   // The worker may have spoken before it heard of the latest change.
-  if (news->ordersDone >= settingsOrder_) {
+  if (ordersDone_ >= settingsOrder_) {
     settings_ = news->settings;
     domain_ = news->domain;
   }

@@ -31,7 +31,7 @@ class Session {
   /// The mesh to show; null until the first domain has been read.
   [[nodiscard]] const SnapshotPtr& current() const { return current_; }
   /// True while `current` is the mesh from before a change that is still being carried out.
-  [[nodiscard]] bool stale() const { return stale_; }
+  [[nodiscard]] bool stale() const { return stale_ || ordersDone_ < settingsOrder_; }
   /// Events up to `current`, oldest first.
   [[nodiscard]] Events events() const;
   /// Events of the whole run as far as it is known: those after `current` are of decisions gone back over.
@@ -73,6 +73,7 @@ class Session {
   std::uint64_t failures_ = 0;
   bool stale_ = false;
   std::uint64_t orders_ = 0;         // commands given
+  std::uint64_t ordersDone_ = 0;     // of them, that the worker has spoken of
   std::uint64_t settingsOrder_ = 0;  // the last of them that changed settings or the domain
 };
 
