@@ -141,6 +141,7 @@ TEST(SessionFile, SaysWhatIsWrongAndWhere) {
   expect(with(R"("breakpoints": [{"condition": "aspect > 4"}, {"condition": "aspct > 4"}])"),
          "breakpoints[1].condition");
   expect(with(R"("breakpoints": [{"condition": "failed", "action": "explode"}])"), "breakpoints[0].action");
+  expect(with(R"("breakpoints": [{"condition": "failed", "action": "\u001b[31m"}])"), "is \"\\x1b[31m\"");
   expect(with(R"("breakpoints": [5])"), "breakpoints[0]");
   expect(with(R"("bookmarks": [{"tick": 0, "name": 7}])"), "bookmarks[0].name");
   expect(with(R"("view": {"x": 0, "y": 0, "scale": 0})"), "view.scale");

@@ -22,6 +22,13 @@ TEST(Version, AnotherProgramWithTheSameMethodDoesNot) {
   EXPECT_EQ(note.find("differ"), std::string::npos) << note;
 }
 
+TEST(Version, WhatAFileSaysIsShownWithoutControls) {
+  for (const int method : {1, kMethodVersion}) {
+    const std::string note = versionNote({"\x1b[31m9.9", method});
+    EXPECT_EQ(note.find('\x1b'), std::string::npos) << note;
+  }
+}
+
 TEST(Version, WhatDoesNotSayMayBeAnything) {
   for (const MadeBy& old : {MadeBy{}, MadeBy{"0.1.0", 0}, MadeBy{"", 1}})
     EXPECT_NE(versionNote(old).find("did not say"), std::string::npos);

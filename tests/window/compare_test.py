@@ -53,6 +53,8 @@ class Compare(harness.WindowTest):
         window.key("Left")
         state = window.wait(lambda s: s["tick"] < state["tick"] and s["compare"]["tick"] == s["tick"], "one step back")
         self.assertEqual(state["figures"], state["compare"]["figures"])
+        window.key(self.keys("restart")[0])
+        window.wait(lambda s: s["tick"] == 0 and "compare.figures" not in s["widgets"], "no figures of empty meshes")
         window.click("compare.unpin")
         state = window.wait(lambda s: not s["compare"]["pinned"] and "canvas.A" not in s["widgets"], "one run again")
         self.assertEqual(state["debug"]["bottom"], "")

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/shown_text.h"
+
 namespace triscope {
 
 MadeBy thisVersion() { return {TRISCOPE_VERSION, kMethodVersion}; }
@@ -14,9 +16,9 @@ std::string versionNote(const MadeBy& file) {
     return fmt::format(
         "saved by triscope {} with version {} of the method; this is {} with version {}, so that meshes and decisions "
         "may differ",
-        file.program, file.method, now.program, now.method);
+        shown(file.program), file.method, now.program, now.method);
   if (file.program != now.program)
-    return fmt::format("saved by triscope {}; this is {}, with the same method", file.program, now.program);
+    return fmt::format("saved by triscope {}; this is {}, with the same method", shown(file.program), now.program);
   return "";
 }
 

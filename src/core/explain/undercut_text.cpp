@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/shown_text.h"
 #include "core/domain/loop_of.h"
 
 namespace triscope {
@@ -37,7 +38,7 @@ std::string undercutText(const MeshState& state, const Quality& quality) {
   const Point middle = midpoint(pointOf(mesh, a), pointOf(mesh, b));
   const BoundaryEdge* const edge = boundaryEdgeBetween(mesh, a, b);
   const std::string why = edge != nullptr
-                              ? fmt::format("it is a piece of '{}'", loopOf(*state.domain, edge->curve).name)
+                              ? fmt::format("it is a piece of '{}'", shown(loopOf(*state.domain, edge->curve).name))
                               : "it is near kept edges, a gap or a sharp corner that leave no room for longer ones";
   return fmt::format("the shortest edge, {:.4g} at ({:.6g}, {:.6g}), is below the min_edge_length given, {:g}: {}",
                      quality.minEdge, middle.x, middle.y, state.minEdge, why);

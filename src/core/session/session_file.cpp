@@ -11,6 +11,7 @@
 #include "core/base/json_text.h"
 #include "core/base/json_value.h"
 #include "core/base/output_set.h"
+#include "core/base/shown_text.h"
 #include "core/method/pipeline.h"
 
 namespace triscope {
@@ -179,7 +180,8 @@ void readBreakpoint(Members& members, std::vector<Breakpoint>& list) {
   members.text("action", action);
   members.flag("enabled", enabled);
   const auto named = std::find(kActions.begin(), kActions.end(), action);
-  if (named == kActions.end()) return members.complain("action", fmt::format("\"{}\"", action), "stop, log or mark");
+  if (named == kActions.end())
+    return members.complain("action", fmt::format("\"{}\"", shown(action)), "stop, log or mark");
   Result<Condition> condition = Condition::compile(text);
   if (!condition.ok())
     return members.refuse(

@@ -56,6 +56,7 @@ void valueCell(const View& view, const std::string& text, bool better = false) {
 }
 
 void figures(const View& view, const Quality& a, const Quality& b) {
+  if (a.triangles == 0 || b.triangles == 0) return muted(view, "The figures show once both runs have triangles.");
   if (!beginTable(view, "figures", {"meshes shown", "A", "B", "B \xE2\x88\x92 A"})) return;
   for (const FigurePair& pair : figurePairs(a, b)) {
     const bool whole = pair.a == std::floor(pair.a) && pair.b == std::floor(pair.b);
