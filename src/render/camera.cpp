@@ -5,14 +5,20 @@
 
 namespace triscope {
 
-Point toPixel(const Camera& camera, Point world) {
-  return {0.5 * camera.width + camera.scale * (world.x - camera.centre.x),
-          0.5 * camera.height - camera.scale * (world.y - camera.centre.y)};
+namespace {
+
+/// A way in the world as one in the picture: y turns round.
+Pixel alongPixels(const Camera& camera, Point way) { return camera.scale * Pixel(way.x, -way.y); }
+Point alongWorld(const Camera& camera, Pixel way) { return {way.x / camera.scale, -way.y / camera.scale}; }
+
+}  // namespace
+
+Pixel toPixel(const Camera& camera, Point world) {
+  return camera.middle() + alongPixels(camera, world - camera.centre);
 }
 
-Point toWorld(const Camera& camera, Point pixel) {
-  return {camera.centre.x + (pixel.x - 0.5 * camera.width) / camera.scale,
-          camera.centre.y - (pixel.y - 0.5 * camera.height) / camera.scale};
+Point toWorld(const Camera& camera, Pixel pixel) {
+  return camera.centre + alongWorld(camera, pixel - camera.middle());
 }
 
 Box visibleBox(const Camera& camera) {
@@ -45,7 +51,7 @@ Camera fitted(const Box& box, double width, double height, double margin) {
   return camera;
 }
 
-Camera zoomed(const Camera& camera, Point pixel, double factor, const Box& bounds) {
+Camera zoomed(const Camera& camera, Pixel pixel, double factor, const Box& bounds) {
   const double extent = bounds.empty() ? 1.0 : std::max({bounds.width(), bounds.height(), 1e-300});
   const double reach = std::max(
       {extent, std::fabs(bounds.lo.x), std::fabs(bounds.lo.y), std::fabs(bounds.hi.x), std::fabs(bounds.hi.y)});
@@ -53,15 +59,13 @@ Camera zoomed(const Camera& camera, Point pixel, double factor, const Box& bound
   const double nearest = 1e12 / (bounds.empty() ? 1.0 : reach);
   Camera result = camera;
   result.scale = std::clamp(camera.scale * factor, std::min(farthest, nearest), nearest);
-  const Point anchor = toWorld(camera, pixel);
-  result.centre = {anchor.x - (pixel.x - 0.5 * camera.width) / result.scale,
-                   anchor.y + (pixel.y - 0.5 * camera.height) / result.scale};
+  result.centre = toWorld(camera, pixel) - alongWorld(result, pixel - camera.middle());
   return result;
 }
 
-Camera panned(const Camera& camera, Point delta) {
+Camera panned(const Camera& camera, Pixel delta) {
   Camera result = camera;
-  result.centre = {camera.centre.x - delta.x / camera.scale, camera.centre.y + delta.y / camera.scale};
+  result.centre = camera.centre - alongWorld(camera, delta);
   return result;
 }
 

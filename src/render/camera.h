@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/point.h"
+#include "render/pixel.h"
 
 namespace triscope {
 
@@ -11,10 +12,13 @@ struct Camera {
   double width = 1.0;  // of the picture, pixels
   double height = 1.0;
   friend bool operator==(const Camera&, const Camera&) = default;
+  /// Of the picture, in pixels.
+  [[nodiscard]] Pixel size() const { return {width, height}; }
+  [[nodiscard]] Pixel middle() const { return 0.5 * size(); }
 };
 
-Point toPixel(const Camera& camera, Point world);
-Point toWorld(const Camera& camera, Point pixel);
+Pixel toPixel(const Camera& camera, Point world);
+Point toWorld(const Camera& camera, Pixel pixel);
 /// The part of the world that the picture shows.
 Box visibleBox(const Camera& camera);
 /// Whether the picture shows the whole of a box.
@@ -23,9 +27,9 @@ bool shows(const Camera& camera, const Box& box);
 Camera fitted(const Box& box, double width, double height, double margin);
 /// Magnified by `factor` (> 1 nearer) while the world point under `pixel` stays there; the scale stays within the
 /// limits at which a double still resolves a pixel at `bounds`.
-Camera zoomed(const Camera& camera, Point pixel, double factor, const Box& bounds);
+Camera zoomed(const Camera& camera, Pixel pixel, double factor, const Box& bounds);
 /// Moved so that what was under pixel (0, 0) is now under `delta`.
-Camera panned(const Camera& camera, Point delta);
+Camera panned(const Camera& camera, Pixel delta);
 /// The same view in a picture of another size: centre and scale stay.
 Camera resized(const Camera& camera, double width, double height);
 

@@ -2,11 +2,11 @@
 
 namespace triscope {
 
-std::span<const Point> markOutline(Shape shape) {
-  static constexpr std::array<Point, 4> diamond{{{0.0, -0.5}, {0.5, 0.0}, {0.0, 0.5}, {-0.5, 0.0}}};
-  static constexpr std::array<Point, 4> square{{{-0.42, -0.42}, {0.42, -0.42}, {0.42, 0.42}, {-0.42, 0.42}}};
-  static constexpr std::array<Point, 3> triangle{{{0.0, -0.55}, {0.5, 0.35}, {-0.5, 0.35}}};
-  static constexpr std::array<Point, 4> cross{{{-0.45, -0.45}, {0.45, 0.45}, {-0.45, 0.45}, {0.45, -0.45}}};
+std::span<const Pixel> markOutline(Shape shape) {
+  static constexpr std::array<Pixel, 4> diamond{{{0.0, -0.5}, {0.5, 0.0}, {0.0, 0.5}, {-0.5, 0.0}}};
+  static constexpr std::array<Pixel, 4> square{{{-0.42, -0.42}, {0.42, -0.42}, {0.42, 0.42}, {-0.42, 0.42}}};
+  static constexpr std::array<Pixel, 3> triangle{{{0.0, -0.55}, {0.5, 0.35}, {-0.5, 0.35}}};
+  static constexpr std::array<Pixel, 4> cross{{{-0.45, -0.45}, {0.45, 0.45}, {-0.45, 0.45}, {0.45, -0.45}}};
   switch (shape) {
     case Shape::diamond:
       return diamond;

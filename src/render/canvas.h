@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/font.h"
+#include "render/pixel.h"
 #include "render/scene.h"
 
 namespace triscope {
@@ -24,16 +25,16 @@ struct FilledRect {
 
 /// Polylines end to end in one array; polyline i runs from starts[i] to starts[i + 1] (the last one to the end).
 struct Paths {
-  std::vector<Point> points;
+  std::vector<Pixel> points;
   std::vector<std::uint32_t> starts;
-  [[nodiscard]] std::span<const Point> path(std::size_t i) const {
+  [[nodiscard]] std::span<const Pixel> path(std::size_t i) const {
     const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : points.size();
     return std::span(points).subspan(starts[i], end - starts[i]);
   }
 };
 
 struct PlacedMark {
-  Point at;
+  Pixel at;
   float size = 0.0f;
 };
 
@@ -57,16 +58,16 @@ class Canvas {
   virtual void endClip() = 0;
   virtual void fillRects(std::span<const FilledRect> rects) = 0;
   /// One colour per triangle, or one for all.
-  virtual void fillTriangles(std::span<const Point> points, std::span<const Index3> triangles,
+  virtual void fillTriangles(std::span<const Pixel> points, std::span<const Index3> triangles,
                              std::span<const Color> fills, bool hatched) = 0;
   virtual void stroke(const Paths& paths, const LineStyle& style) = 0;
-  virtual void circle(Point centre, double radius, const LineStyle& style) = 0;
+  virtual void circle(Pixel centre, double radius, const LineStyle& style) = 0;
   virtual void marks(std::span<const PlacedMark> marks, Shape shape, Color fill, Color outline) = 0;
   /// `at` is on the baseline.
-  virtual void text(Point at, std::string_view text, const TextStyle& style) = 0;
+  virtual void text(Pixel at, std::string_view text, const TextStyle& style) = 0;
 };
 
 /// Corner points of a mark of size 1 about (0, 0), y down; empty for circle and ring. A cross has two strokes.
-std::span<const Point> markOutline(Shape shape);
+std::span<const Pixel> markOutline(Shape shape);
 
 }  // namespace triscope

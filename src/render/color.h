@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
+#include <glm/gtc/type_precision.hpp>
+#include <glm/vec4.hpp>
 
 namespace triscope {
 
@@ -26,12 +29,13 @@ inline Color faded(Color c, double alpha) {
   return c;
 }
 
+/// Red, green, blue and alpha, each in [0, 255].
+inline glm::dvec4 channelsOf(Color c) { return {c.r, c.g, c.b, c.a}; }
+
 /// Straight blend in sRGB: a at t = 0, b at t = 1.
 inline Color mix(Color a, Color b, double t) {
-  const auto channel = [t](std::uint8_t x, std::uint8_t y) {
-    return static_cast<std::uint8_t>(std::lround((1.0 - t) * static_cast<double>(x) + t * static_cast<double>(y)));
-  };
-  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b), channel(a.a, b.a)};
+  const glm::u8vec4 c(glm::round(glm::mix(channelsOf(a), channelsOf(b), t)));
+  return {c.r, c.g, c.b, c.a};
 }
 
 }  // namespace triscope

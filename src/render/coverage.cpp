@@ -13,18 +13,18 @@ Coverage::Coverage(int width, int height)
       top_(height),
       bottom_(0) {}
 
-void Coverage::addPolygon(std::span<const Point> polygon) {
+void Coverage::addPolygon(std::span<const Pixel> polygon) {
   double doubled = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) doubled += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
   const float sign = doubled < 0.0 ? -1.0f : 1.0f;
   for (std::size_t i = 0; i < polygon.size(); ++i) addEdge(polygon[i], polygon[(i + 1) % polygon.size()], sign);
 }
 
-void Coverage::addContour(std::span<const Point> contour) {
+void Coverage::addContour(std::span<const Pixel> contour) {
   for (std::size_t i = 0; i < contour.size(); ++i) addEdge(contour[i], contour[(i + 1) % contour.size()], 1.0f);
 }
 
-void Coverage::addEdge(Point a, Point b, float sign) {
+void Coverage::addEdge(Pixel a, Pixel b, float sign) {
   if (a.y == b.y) return;
   if (a.y > b.y) {
     std::swap(a, b);

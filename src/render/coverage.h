@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/point.h"
+#include "render/pixel.h"
 #include "render/image.h"
 
 namespace triscope {
@@ -18,14 +18,14 @@ class Coverage {
   Coverage(int width, int height);
 
   /// A closed polygon, turned counter-clockwise first, so that polygons never cancel out.
-  void addPolygon(std::span<const Point> polygon);
+  void addPolygon(std::span<const Pixel> polygon);
   /// A closed contour as it turns: inner contours that turn the other way are holes.
-  void addContour(std::span<const Point> contour);
+  void addContour(std::span<const Pixel> contour);
   /// Blends the colour over the image where covered, inside [x0, x1) × [y0, y1), and starts afresh.
   void paint(Image& image, Color color, int x0, int y0, int x1, int y1);
 
  private:
-  void addEdge(Point a, Point b, float sign);
+  void addEdge(Pixel a, Pixel b, float sign);
   void addRowPiece(int row, double xa, double xb, float height);
 
   int width_;

@@ -78,11 +78,11 @@ double walk(std::string_view text, Weight weight, Visit visit) {
   return x;
 }
 
-void addContours(const Glyph& glyph, Point origin, double size, std::vector<std::vector<Point>>& contours) {
+void addContours(const Glyph& glyph, Pixel origin, double size, std::vector<std::vector<Pixel>>& contours) {
   stbtt_vertex* vertices = nullptr;
   const int count = stbtt_GetGlyphShape(&glyph.font->info, glyph.index, &vertices);
   const double scale = size / glyph.font->unitsPerEm;
-  const auto place = [&](stbtt_vertex_type x, stbtt_vertex_type y) -> Point {
+  const auto place = [&](stbtt_vertex_type x, stbtt_vertex_type y) -> Pixel {
     return {origin.x + scale * static_cast<double>(x), origin.y - scale * static_cast<double>(y)};
   };
   constexpr int kPieces = 6;  // chords per curve: within a tenth of a pixel at any size text is drawn
@@ -91,15 +91,15 @@ void addContours(const Glyph& glyph, Point origin, double size, std::vector<std:
   const std::size_t firstOfGlyph = contours.size();
   for (int i = 0; i < count; ++i) {
     const stbtt_vertex& v = vertices[i];
-    const Point to = place(v.x, v.y);
+    const Pixel to = place(v.x, v.y);
     if (v.type == STBTT_vmove || contours.size() == firstOfGlyph) {
       contours.emplace_back(1, to);
       continue;
     }
-    std::vector<Point>& contour = contours.back();
-    const Point from = contour.back();
-    const Point c0 = place(v.cx, v.cy);
-    const Point c1 = place(v.cx1, v.cy1);
+    std::vector<Pixel>& contour = contours.back();
+    const Pixel from = contour.back();
+    const Pixel c0 = place(v.cx, v.cy);
+    const Pixel c1 = place(v.cx1, v.cy1);
     for (int k = 1; k < kPieces && v.type != STBTT_vline; ++k) {
       const double t = static_cast<double>(k) / kPieces;
       const double s = 1.0 - t;
@@ -112,7 +112,7 @@ void addContours(const Glyph& glyph, Point origin, double size, std::vector<std:
   stbtt_FreeShape(&glyph.font->info, vertices);
   if (!reversed) return;
   for (std::size_t i = firstOfGlyph; i < contours.size(); ++i) {
-    contours[i] = std::vector<Point>(contours[i].rbegin(), contours[i].rend());
+    contours[i] = std::vector<Pixel>(contours[i].rbegin(), contours[i].rend());
   }
 }
 
@@ -142,8 +142,8 @@ double textWidth(std::string_view text, double size, Weight weight) {
   return size * walk(text, weight, [](const Glyph&, double) {});
 }
 
-std::vector<std::vector<Point>> textContours(std::string_view text, Point at, double size, Weight weight) {
-  std::vector<std::vector<Point>> contours;
+std::vector<std::vector<Pixel>> textContours(std::string_view text, Pixel at, double size, Weight weight) {
+  std::vector<std::vector<Pixel>> contours;
   walk(text, weight,
        [&](const Glyph& glyph, double x) { addContours(glyph, {at.x + size * x, at.y}, size, contours); });
   return contours;

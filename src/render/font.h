@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/point.h"
+#include "render/pixel.h"
 
 namespace triscope {
 
@@ -15,7 +15,7 @@ double textWidth(std::string_view text, double size, Weight weight = Weight::reg
 
 /// Closed contours of the text with its baseline starting at `at`, in pixels with y down. Inner contours (holes)
 /// turn the other way. Characters that no embedded font has are drawn as the font's missing-glyph box.
-std::vector<std::vector<Point>> textContours(std::string_view text, Point at, double size,
+std::vector<std::vector<Pixel>> textContours(std::string_view text, Pixel at, double size,
                                              Weight weight = Weight::regular);
 
 /// Next code point of UTF-8 text, removed from its front; U+FFFD for malformed bytes.

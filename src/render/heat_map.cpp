@@ -38,7 +38,7 @@ LineStyle solid(Color color, double width) { return {color, static_cast<float>(w
 
 Rect inset(const Rect& r, double by) { return {r.x + by, r.y + by, r.width - 2.0 * by, r.height - 2.0 * by}; }
 
-Point middleOf(const Rect& r) { return {r.x + 0.5 * r.width, r.y + 0.5 * r.height}; }
+Pixel middleOf(const Rect& r) { return {r.x + 0.5 * r.width, r.y + 0.5 * r.height}; }
 
 double labelGutter(const HeatMap& map) {
   return textWidth(map.up.title, kLabelText, Weight::semibold) + kLabelGap + widestOf(map.up.labels) + kLabelGap;
@@ -99,7 +99,7 @@ class Drawing {
     if (!map_.here) return;
     const double wide = grid_.cells.width / static_cast<double>(grid_.columns);
     const double high = grid_.cells.height / static_cast<double>(grid_.rows);
-    const Point at{grid_.cells.x + (map_.here->x + 0.5) * wide,
+    const Pixel at{grid_.cells.x + (map_.here->x + 0.5) * wide,
                    grid_.cells.y + grid_.cells.height - (map_.here->y + 0.5) * high};
     const std::optional<std::size_t> cell = cellAt(grid_, at);
     if (onCell(map_) && cell) {
@@ -135,7 +135,7 @@ class Drawing {
     if (std::min(smallest.width, smallest.height) < kSmallest * s_) return;
     const Rect& all = grid_.cells;
     Paths lines;
-    const auto line = [&lines](Point from, Point to) {
+    const auto line = [&lines](Pixel from, Pixel to) {
       lines.starts.push_back(static_cast<std::uint32_t>(lines.points.size()));
       lines.points.insert(lines.points.end(), {from, to});
     };
@@ -158,7 +158,7 @@ class Drawing {
   }
 
   void text(const FilledRect& cell, const std::string& words) {
-    const Point middle = middleOf(cell.rect);
+    const Pixel middle = middleOf(cell.rect);
     canvas_.text({middle.x, middle.y + 0.36 * kLabelText * s_}, words,
                  {kLabelText * s_, Weight::regular, inkOn(cell.fill), {0, 0, 0, 0}, Anchor::centre});
   }
@@ -169,7 +169,7 @@ class Drawing {
     const Color ink = inkOn(cell.fill);
     const auto mark = [&](Shape shape, double size, bool atRight, Color rim) {
       const double in = 0.5 * size + 4.0 * s_;
-      const Point corner{atRight ? cell.rect.x + cell.rect.width - in : cell.rect.x + in, cell.rect.y + in};
+      const Pixel corner{atRight ? cell.rect.x + cell.rect.width - in : cell.rect.x + in, cell.rect.y + in};
       const PlacedMark placed{inCorner ? corner : middleOf(cell.rect), static_cast<float>(size)};
       canvas_.marks({&placed, 1}, shape, ink, rim);
     };
@@ -179,11 +179,11 @@ class Drawing {
     if (map_.best == k) mark(Shape::diamond, kMark * s_, true, inCorner ? kNoRim : inkOn(ink));
   }
 
-  void label(Point at, const std::string& words, Anchor anchor) {
+  void label(Pixel at, const std::string& words, Anchor anchor) {
     canvas_.text(at, words, {kLabelText * s_, Weight::regular, theme_.textMuted, {0, 0, 0, 0}, anchor});
   }
 
-  void title(Point at, const std::string& words, Anchor anchor) {
+  void title(Pixel at, const std::string& words, Anchor anchor) {
     canvas_.text(at, words, {kLabelText * s_, Weight::semibold, theme_.text, {0, 0, 0, 0}, anchor});
   }
 
@@ -222,7 +222,7 @@ Rect cellRect(const HeatGrid& grid, std::size_t cell) {
   return {x, y, edge(all.x, all.width, column + 1, grid.columns) - x, edge(all.y, all.height, row + 1, grid.rows) - y};
 }
 
-std::optional<std::size_t> cellAt(const HeatGrid& grid, Point at) {
+std::optional<std::size_t> cellAt(const HeatGrid& grid, Pixel at) {
   const Rect& all = grid.cells;
   const double x = (at.x - all.x) / all.width;
   const double y = (at.y - all.y) / all.height;

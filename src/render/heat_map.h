@@ -28,7 +28,7 @@ struct HeatMap {
   double low = 0.0;             // values at the ends of the colours
   double high = 0.0;
   std::optional<std::size_t> best;  // cell that is marked
-  std::optional<Point> here;        // place that is marked: (0, 0) is the middle of the first cell, (1, 0) of its right
+  std::optional<glm::dvec2> here;   // place that is marked: (0, 0) is the middle of the first cell, (1, 0) of its right
   std::optional<std::size_t> under;   // cell that the mouse is on
   std::optional<std::size_t> chosen;  // cell that the keys are on
   bool faded = false;                 // what it shows holds no longer: pale, and without texts
@@ -45,7 +45,7 @@ struct HeatGrid {
 HeatGrid heatGrid(const HeatMap& map, Rect room, double scale);
 /// On whole pixels, so that neighbours meet without a seam.
 Rect cellRect(const HeatGrid& grid, std::size_t cell);
-std::optional<std::size_t> cellAt(const HeatGrid& grid, Point at);
+std::optional<std::size_t> cellAt(const HeatGrid& grid, Pixel at);
 
 /// Dark at `low`, light at `high`; the middle where they are the same.
 Color heatColor(const HeatMap& map, Scale colors, const Theme& theme, double value);

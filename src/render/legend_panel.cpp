@@ -32,7 +32,7 @@ class LegendPainter {
   LegendPainter(double scale, double width, const Theme& theme, Canvas& canvas)
       : s_(scale), width_(width), theme_(theme), canvas_(canvas) {}
 
-  void draw(const LegendItem& item, Point at) {
+  void draw(const LegendItem& item, Pixel at) {
     if (item.sample == Sample::ramp) {
       drawRamp(item, at);
       return;
@@ -48,7 +48,7 @@ class LegendPainter {
   }
 
  private:
-  void text(Point at, const std::string& what, double size, Color color, Anchor anchor,
+  void text(Pixel at, const std::string& what, double size, Color color, Anchor anchor,
             Weight weight = Weight::regular) {
     canvas_.text(at, what, {size * s_, weight, color, {0, 0, 0, 0}, anchor});
   }
@@ -58,9 +58,9 @@ class LegendPainter {
     return style;
   }
 
-  void drawSample(const LegendItem& item, Point middle) {
+  void drawSample(const LegendItem& item, Pixel middle) {
     const double w = kSampleWidth * s_;
-    const Point centre{middle.x + 0.5 * w, middle.y};
+    const Pixel centre{middle.x + 0.5 * w, middle.y};
     const LineStyle hairline{theme_.cellLine, static_cast<float>(0.8 * s_), Dash::solid, false};
     const Rect swatch{middle.x + 3.0 * s_, middle.y - 6.5 * s_, w - 6.0 * s_, 13.0 * s_};
     switch (item.sample) {
@@ -82,7 +82,7 @@ class LegendPainter {
         break;
       }
       case Sample::hatch: {
-        const std::array<Point, 4> corners{{{swatch.x, swatch.y},
+        const std::array<Pixel, 4> corners{{{swatch.x, swatch.y},
                                             {swatch.x + swatch.width, swatch.y},
                                             {swatch.x + swatch.width, swatch.y + swatch.height},
                                             {swatch.x, swatch.y + swatch.height}}};
@@ -104,7 +104,7 @@ class LegendPainter {
         style);
   }
 
-  void drawRamp(const LegendItem& item, Point at) {
+  void drawRamp(const LegendItem& item, Pixel at) {
     text({at.x, at.y + 13.0 * s_}, item.label, kText, theme_.text, Anchor::left, Weight::semibold);
     const Rect bar{at.x, at.y + 19.0 * s_, kRampWidth * s_, 11.0 * s_};
     std::vector<FilledRect> rects;
@@ -137,7 +137,7 @@ LegendSize legendSize(const std::vector<LegendItem>& legend, double scale) {
   return {size.width * scale, size.height * scale};
 }
 
-void drawLegend(const std::vector<LegendItem>& legend, Point at, double scale, const Theme& theme, Canvas& canvas) {
+void drawLegend(const std::vector<LegendItem>& legend, Pixel at, double scale, const Theme& theme, Canvas& canvas) {
   LegendPainter panel(scale, legendSize(legend, scale).width, theme, canvas);
   for (const LegendItem& item : legend) {
     panel.draw(item, at);

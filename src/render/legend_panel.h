@@ -12,6 +12,6 @@ struct LegendSize {
 
 LegendSize legendSize(const std::vector<LegendItem>& legend, double scale);
 /// `at` is the upper left corner.
-void drawLegend(const std::vector<LegendItem>& legend, Point at, double scale, const Theme& theme, Canvas& canvas);
+void drawLegend(const std::vector<LegendItem>& legend, Pixel at, double scale, const Theme& theme, Canvas& canvas);
 
 }  // namespace triscope

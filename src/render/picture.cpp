@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "core/base/number.h"
 #include "render/legend_panel.h"
@@ -80,7 +81,7 @@ PictureLayout assemble(const Margins& m, double plotWidth, double plotHeight, co
 }
 
 // Cohen and Sutherland's question: does the segment certainly miss the rectangle?
-bool misses(Point a, Point b, const Rect& r) {
+bool misses(Pixel a, Pixel b, const Rect& r) {
   return std::max(a.x, b.x) < r.x || std::min(a.x, b.x) > r.x + r.width || std::max(a.y, b.y) < r.y ||
          std::min(a.y, b.y) > r.y + r.height;
 }
@@ -99,14 +100,13 @@ class Plotter {
     for (const MarkBatch& batch : layer.marks) draw(batch);
   }
 
-  [[nodiscard]] Point pixel(Point world) const {
-    const Point p = toPixel(camera_, world);
-    return {plot_.x + p.x, plot_.y + p.y};
+  [[nodiscard]] Pixel pixel(Point world) const {
+    return Pixel(plot_.x, plot_.y) + toPixel(camera_, world);
   }
 
  private:
-  [[nodiscard]] std::vector<Point> pixels(const std::vector<Point>& world) const {
-    std::vector<Point> result(world.size());
+  [[nodiscard]] std::vector<Pixel> pixels(const std::vector<Point>& world) const {
+    std::vector<Pixel> result(world.size());
     for (std::size_t i = 0; i < world.size(); ++i) result[i] = pixel(world[i]);
     return result;
   }
@@ -118,11 +118,11 @@ class Plotter {
 
   void draw(const SquareBatch& batch) {
     std::vector<FilledRect> rects;
-    std::vector<Point> corners;
+    std::vector<Pixel> corners;
     std::vector<Index2> sides;
     for (const SquareBatch::Square& square : batch.squares) {
       const double side = square.side * camera_.scale;
-      const Point low = pixel(square.corner);
+      const Pixel low = pixel(square.corner);
       const Rect rect{low.x, low.y - side, side, side};
       if (misses({rect.x, rect.y}, {rect.x + side, rect.y + side}, plot_)) continue;
       if (square.fill.a > 0) rects.push_back({rect, square.fill});
@@ -136,7 +136,7 @@ class Plotter {
   }
 
   void draw(const TriangleBatch& batch) {
-    const std::vector<Point> points = pixels(batch.points);
+    const std::vector<Pixel> points = pixels(batch.points);
     if (!batch.fills.empty()) {
       std::vector<Index3> seen;
       std::vector<Color> fills;
@@ -145,11 +145,11 @@ class Plotter {
         const Color fill = each ? batch.fills[i] : batch.fills[0];
         if (fill.a == 0) continue;
         const Index3& t = batch.triangles[i];
-        const Point a = points[t[0]];
-        const Point b = points[t[1]];
-        const Point c = points[t[2]];
-        const Point low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})};
-        const Point high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})};
+        const Pixel a = points[t[0]];
+        const Pixel b = points[t[1]];
+        const Pixel c = points[t[2]];
+        const Pixel low = glm::min(a, glm::min(b, c));
+        const Pixel high = glm::max(a, glm::max(b, c));
         if (misses(low, high, plot_)) continue;
         seen.push_back(t);
         if (each) fills.push_back(fill);
@@ -160,14 +160,14 @@ class Plotter {
     if (batch.wire.width > 0.0f) strokeSegments(points, batch.edges, batch.wire);
   }
 
-  void strokeSegments(const std::vector<Point>& points, const std::vector<Index2>& segments, LineStyle style) {
+  void strokeSegments(const std::vector<Pixel>& points, const std::vector<Index2>& segments, LineStyle style) {
     if (segments.empty()) return;
     std::array<Paths, kFadeSteps> groups;
     std::array<std::uint32_t, kFadeSteps> last;
     last.fill(~0u);
     for (const Index2& segment : segments) {
-      const Point a = points[segment[0]];
-      const Point b = points[segment[1]];
+      const Pixel a = points[segment[0]];
+      const Pixel b = points[segment[1]];
       if (misses(a, b, plot_)) continue;
       std::size_t step = kFadeSteps - 1;
       if (style.fades) {
@@ -202,9 +202,9 @@ class Plotter {
     std::vector<PlacedMark> large;
     std::vector<PlacedMark> small;
     for (std::size_t i = 0; i < batch.at.size(); ++i) {
-      const Point p = pixel(batch.at[i]);
+      const Pixel p = pixel(batch.at[i]);
       const double reach = static_cast<double>(batch.size) * scale_;
-      if (misses({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, plot_)) continue;
+      if (misses(p - reach, p + reach, plot_)) continue;
       const double room = batch.spacing.empty() ? 1e9 : static_cast<double>(batch.spacing[i]) * camera_.scale / scale_;
       const float size = markSize(batch.size, room);
       (size < kLeastOutlined ? small : large).push_back({p, size * static_cast<float>(scale_)});
@@ -232,8 +232,8 @@ void drawScaleBar(const Scene& scene, const Camera& camera, const PictureLayout&
   if (!(camera.scale > 0.0) || layout.plot.width < 40.0) return;
   const double length = niceLength(0.25 * layout.plot.width / camera.scale);
   const double width = length * camera.scale;
-  const Point left{layout.plot.x, layout.plot.y + layout.plot.height + 13.0 * s};
-  const Point right{left.x + width, left.y};
+  const Pixel left{layout.plot.x, layout.plot.y + layout.plot.height + 13.0 * s};
+  const Pixel right{left.x + width, left.y};
   const double tick = 4.0 * s;
   const Paths bar{{{left.x, left.y - tick},
                    {left.x, left.y + tick},
@@ -294,7 +294,7 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
   std::vector<Rect> taken;
   for (const Layer& layer : scene.layers) {
     for (const Circle& circle : layer.circles) {
-      const Point centre = toPixel(camera, circle.centre);
+      const Pixel centre = toPixel(camera, circle.centre);
       const double half =
           0.75 * std::max(circle.radius * camera.scale, static_cast<double>(circle.minimumRadius) * scale);
       taken.push_back({centre.x - half, centre.y - half, 2.0 * half, 2.0 * half});
@@ -302,7 +302,7 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
   }
   for (const Layer& layer : scene.layers) {
     for (const Label& label : layer.labels) {
-      const Point anchor = toPixel(camera, label.at);
+      const Pixel anchor = toPixel(camera, label.at);
       if (misses(anchor, anchor, {0.0, 0.0, camera.width, camera.height})) continue;
       const double size = static_cast<double>(label.size) * scale;
       const double width = textWidth(label.text, size, Weight::semibold);
@@ -313,7 +313,7 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
       // As asked; then mirrored about the anchor; then further out.
       const double line = 1.5 * size;
       const double down = -dy + 0.7 * size;
-      const std::array<Point, 12> places{{{dx - start, dy},
+      const std::array<Pixel, 12> places{{{dx - start, dy},
                                           {-dx - width, dy},
                                           {dx - start, down},
                                           {-dx - width, down},
@@ -325,19 +325,19 @@ std::vector<PlacedLabel> placeLabels(const Scene& scene, const Camera& camera, d
                                           {dx - start, down + 2.0 * line},
                                           {-dx - width, dy - 2.0 * line},
                                           {-dx - width, down + 2.0 * line}}};
-      const auto boxOf = [&](const Point& offset) {
+      const auto boxOf = [&](const Pixel& offset) {
         return Rect{anchor.x + offset.x - 2.0, anchor.y + offset.y - size, width + 4.0, 1.3 * size};
       };
       const auto covers = [](const Rect& box, std::span<const Rect> others) {
         return std::any_of(others.begin(), others.end(), [&](const Rect& r) { return overlap(r, box); });
       };
-      const auto fits = [&](const Point& offset) {
+      const auto fits = [&](const Pixel& offset) {
         const Rect box = boxOf(offset);
         return box.x >= 0.0 && box.y >= 0.0 && box.x + box.width <= camera.width &&
                box.y + box.height <= camera.height && !covers(box, taken);
       };
       auto place = std::find_if(places.begin(), places.end(),
-                                [&](const Point& offset) { return fits(offset) && !covers(boxOf(offset), avoid); });
+                                [&](const Pixel& offset) { return fits(offset) && !covers(boxOf(offset), avoid); });
       if (place == places.end()) place = std::find_if(places.begin(), places.end(), fits);
       if (place == places.end()) continue;
       taken.push_back(boxOf(*place));

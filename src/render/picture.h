@@ -41,7 +41,7 @@ void drawPicture(const Scene& scene, const Camera& camera, const PictureLayout& 
 /// Labels of all layers where they fit: moved aside where two would overlap, left out where there is no room.
 struct PlacedLabel {
   const Label* label = nullptr;
-  Point at;  // left end of the baseline, pixels of the camera
+  Pixel at;  // left end of the baseline, pixels of the camera
   double width = 0.0;
 };
 /// `avoid`: what else stands in the picture; a label covers it only where it has no other place.

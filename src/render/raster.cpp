@@ -24,7 +24,7 @@ class RasterCanvas final : public Canvas {
   void endClip() override { clip_ = {0, 0, image_.width, image_.height}; }
 
   void fillRects(std::span<const FilledRect> rects) override {
-    std::vector<Point> points;
+    std::vector<Pixel> points;
     std::vector<Index3> halves;
     std::vector<Color> fills;
     points.reserve(rects.size() * 4);
@@ -39,7 +39,7 @@ class RasterCanvas final : public Canvas {
     triscope::fillTriangles(image_, clip_, points, halves, fills, false);
   }
 
-  void fillTriangles(std::span<const Point> points, std::span<const Index3> triangles, std::span<const Color> fills,
+  void fillTriangles(std::span<const Pixel> points, std::span<const Index3> triangles, std::span<const Color> fills,
                      bool hatched) override {
     triscope::fillTriangles(image_, clip_, points, triangles, fills, hatched);
   }
@@ -57,7 +57,7 @@ class RasterCanvas final : public Canvas {
     paint(style.color);
   }
 
-  void circle(Point centre, double radius, const LineStyle& style) override {
+  void circle(Pixel centre, double radius, const LineStyle& style) override {
     stroke({circlePolyline(centre, radius), {0}}, style);
   }
 
@@ -70,7 +70,7 @@ class RasterCanvas final : public Canvas {
     paint(fill);
   }
 
-  void text(Point at, std::string_view text, const TextStyle& style) override {
+  void text(Pixel at, std::string_view text, const TextStyle& style) override {
     if (style.anchor != Anchor::left) {
       const double width = textWidth(text, style.size, style.weight);
       at.x -= style.anchor == Anchor::right ? width : 0.5 * width;
@@ -90,7 +90,7 @@ class RasterCanvas final : public Canvas {
  private:
   void paint(Color color) { coverage_.paint(image_, color, clip_.x0, clip_.y0, clip_.x1, clip_.y1); }
 
-  void addPolyline(std::span<const Point> polyline, double width) {
+  void addPolyline(std::span<const Pixel> polyline, double width) {
     for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
       coverage_.addPolygon(segmentOutline(polyline[i], polyline[i + 1], width));
       if (width >= 1.4 && i > 0) addJoint(polyline[i], width);
@@ -99,13 +99,13 @@ class RasterCanvas final : public Canvas {
     if (closed && width >= 1.4) addJoint(polyline.front(), width);
   }
 
-  void addClosing(std::span<const Point> contour, double width) {
+  void addClosing(std::span<const Pixel> contour, double width) {
     coverage_.addPolygon(segmentOutline(contour.back(), contour.front(), width));
   }
 
   // Round joints: the outer side of a bend would be left open otherwise.
-  void addJoint(Point at, double width) {
-    const std::vector<Point> disc = circlePolyline(at, 0.5 * width);
+  void addJoint(Pixel at, double width) {
+    const std::vector<Pixel> disc = circlePolyline(at, 0.5 * width);
     coverage_.addPolygon(std::span(disc).first(disc.size() - 1));
   }
 
@@ -113,13 +113,13 @@ class RasterCanvas final : public Canvas {
     const double size = static_cast<double>(mark.size) + grow;
     const double pen = std::max(1.2, 0.18 * static_cast<double>(mark.size)) + grow;
     if (shape == Shape::circle) {
-      const std::vector<Point> disc = circlePolyline(mark.at, 0.5 * size);
+      const std::vector<Pixel> disc = circlePolyline(mark.at, 0.5 * size);
       coverage_.addPolygon(std::span(disc).first(disc.size() - 1));
     } else if (shape == Shape::ring) {
       addPolyline(circlePolyline(mark.at, 0.5 * (static_cast<double>(mark.size) - pen)), pen);
     } else {
-      std::vector<Point> corners;
-      for (const Point& p : markOutline(shape)) corners.push_back(mark.at + size * p);
+      std::vector<Pixel> corners;
+      for (const Pixel& p : markOutline(shape)) corners.push_back(mark.at + size * p);
       if (shape != Shape::cross) {
         coverage_.addPolygon(corners);
         return;

@@ -12,11 +12,11 @@ constexpr int kBandRows = 32;  // pixels; keeps the samples of a band in the cac
 // Horizontal extent of a triangle at a height; samples on a shared edge go to exactly one side because both
 // triangles work the edge out from the same end.
 struct Edge {
-  Point low;
+  Pixel low;
   double slope = 0.0;
 };
 
-Edge edgeOf(Point a, Point b) {
+Edge edgeOf(Pixel a, Pixel b) {
   if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
   return {a, b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0.0};
 }
@@ -32,7 +32,7 @@ class Band {
         width_((clip.x1 - clip.x0) * kSamples),
         samples_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_ * kSamples), Color{0, 0, 0, 0}) {}
 
-  void add(Point a, Point b, Point c, Color color, bool hatched) {
+  void add(Pixel a, Pixel b, Pixel c, Color color, bool hatched) {
     if (a.y > b.y) std::swap(a, b);
     if (b.y > c.y) std::swap(b, c);
     if (a.y > b.y) std::swap(a, b);
@@ -96,7 +96,7 @@ class Band {
 
 }  // namespace
 
-void fillTriangles(Image& image, const PixelBox& clip, std::span<const Point> points, std::span<const Index3> triangles,
+void fillTriangles(Image& image, const PixelBox& clip, std::span<const Pixel> points, std::span<const Index3> triangles,
                    std::span<const Color> fills, bool hatched) {
   if (fills.empty() || clip.x1 <= clip.x0) return;
   for (int row = clip.y0; row < clip.y1; row += kBandRows) {
@@ -104,9 +104,9 @@ void fillTriangles(Image& image, const PixelBox& clip, std::span<const Point> po
     bool any = false;
     const double end = row + kBandRows;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const Point a = points[triangles[i][0]];
-      const Point b = points[triangles[i][1]];
-      const Point c = points[triangles[i][2]];
+      const Pixel a = points[triangles[i][0]];
+      const Pixel b = points[triangles[i][1]];
+      const Pixel c = points[triangles[i][2]];
       if (std::max({a.y, b.y, c.y}) < row || std::min({a.y, b.y, c.y}) > end) continue;
       band.add(a, b, c, fills.size() > 1 ? fills[i] : fills[0], hatched);
       any = true;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "render/image.h"
+#include "render/pixel.h"
 #include "render/scene.h"
 
 namespace triscope {
@@ -17,7 +18,7 @@ struct PixelBox {
 };
 
 /// Points in pixels. One colour per triangle, or one for all; hatched: only diagonal stripes are filled.
-void fillTriangles(Image& image, const PixelBox& clip, std::span<const Point> points, std::span<const Index3> triangles,
+void fillTriangles(Image& image, const PixelBox& clip, std::span<const Pixel> points, std::span<const Index3> triangles,
                    std::span<const Color> fills, bool hatched);
 
 }  // namespace triscope

@@ -7,7 +7,7 @@ namespace triscope {
 
 double dashUnit(float width) { return std::max(1.0, 0.6 * static_cast<double>(width)); }
 
-Paths dashed(std::span<const Point> polyline, const DashPattern& pattern, double unit) {
+Paths dashed(std::span<const Pixel> polyline, const DashPattern& pattern, double unit) {
   Paths result;
   if (polyline.size() < 2) return result;
   int index = 0;
@@ -16,8 +16,8 @@ Paths dashed(std::span<const Point> polyline, const DashPattern& pattern, double
   result.starts.push_back(0);
   result.points.push_back(polyline[0]);
   for (std::size_t i = 0; i + 1 < polyline.size(); ++i) {
-    Point from = polyline[i];
-    const Point to = polyline[i + 1];
+    Pixel from = polyline[i];
+    const Pixel to = polyline[i + 1];
     double rest = distance(from, to);
     while (rest > left) {
       from = from + (left / rest) * (to - from);
@@ -37,16 +37,16 @@ Paths dashed(std::span<const Point> polyline, const DashPattern& pattern, double
   return result;
 }
 
-std::array<Point, 4> segmentOutline(Point a, Point b, double width) {
+std::array<Pixel, 4> segmentOutline(Pixel a, Pixel b, double width) {
   const double size = distance(a, b);
-  const Point along = size > 0.0 ? (1.0 / size) * (b - a) : Point{1.0, 0.0};
-  const Point side = (0.5 * width) * perpendicular(along);
+  const Pixel along = size > 0.0 ? (1.0 / size) * (b - a) : Pixel{1.0, 0.0};
+  const Pixel side = (0.5 * width) * perpendicular(along);
   return {a + side, b + side, b - side, a - side};
 }
 
-std::vector<Point> circlePolyline(Point centre, double radius) {
+std::vector<Pixel> circlePolyline(Pixel centre, double radius) {
   const int n = std::clamp(static_cast<int>(14.0 * std::sqrt(std::max(radius, 1.0))), 16, 720);
-  std::vector<Point> points;
+  std::vector<Pixel> points;
   points.reserve(static_cast<std::size_t>(n) + 1);
   for (int i = 0; i < n; ++i) {
     const double angle = 2.0 * 3.14159265358979 * i / n;

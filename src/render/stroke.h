@@ -5,19 +5,19 @@
 #include <span>
 #include <vector>
 
-#include "core/base/point.h"
+#include "render/pixel.h"
 #include "render/canvas.h"
 
 namespace triscope {
 
 /// The polyline cut into dashes; lengths of the pattern are multiplied by `unit` (the style's width, at least 1).
-Paths dashed(std::span<const Point> polyline, const DashPattern& pattern, double unit);
+Paths dashed(std::span<const Pixel> polyline, const DashPattern& pattern, double unit);
 
 /// A rectangle of this width about the segment from a to b.
-std::array<Point, 4> segmentOutline(Point a, Point b, double width);
+std::array<Pixel, 4> segmentOutline(Pixel a, Pixel b, double width);
 
 /// A circle as a closed polyline (the last point repeats the first) that is never off by a fortieth of a pixel.
-std::vector<Point> circlePolyline(Point centre, double radius);
+std::vector<Pixel> circlePolyline(Pixel centre, double radius);
 
 /// Dash lengths grow with the width beyond this, so that a bold line keeps its rhythm.
 double dashUnit(float width);

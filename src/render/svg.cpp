@@ -50,7 +50,7 @@ class PathData {
  public:
   explicit PathData(std::string& out) : out_(out) {}
 
-  void move(Point p) {
+  void move(Pixel p) {
     out_ += 'M';
     at_ = rounded(p);
     start_ = at_;
@@ -58,7 +58,7 @@ class PathData {
     pair(at_);
     command_ = 'M';
   }
-  void line(Point p) {
+  void line(Pixel p) {
     const Fixed to = rounded(p);
     if (to.x == at_.x && to.y == at_.y) return;
     if (command_ != 'l') {
@@ -80,7 +80,7 @@ class PathData {
     std::int64_t x = 0;
     std::int64_t y = 0;
   };
-  static Fixed rounded(Point p) {
+  static Fixed rounded(Pixel p) {
     const auto fix = [](double v) { return static_cast<std::int64_t>(std::llround(std::clamp(v, -1e7, 1e7) * 100.0)); };
     return {fix(p.x), fix(p.y)};
   }
@@ -154,7 +154,7 @@ class SvgCanvas final : public Canvas {
     }
   }
 
-  void fillTriangles(std::span<const Point> points, std::span<const Index3> triangles, std::span<const Color> fills,
+  void fillTriangles(std::span<const Pixel> points, std::span<const Index3> triangles, std::span<const Color> fills,
                      bool hatched) override {
     if (fills.size() == 1) {
       const std::string fill = hatched ? hatching(fills[0]) : paint("fill", fills[0]);
@@ -202,7 +202,7 @@ class SvgCanvas final : public Canvas {
     out_ += "\"/>\n";
   }
 
-  void circle(Point centre, double radius, const LineStyle& style) override {
+  void circle(Pixel centre, double radius, const LineStyle& style) override {
     out_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"none\"{}/>\n", centre.x, centre.y,
                         radius, strokeOf(style));
   }
@@ -234,7 +234,7 @@ class SvgCanvas final : public Canvas {
       for (const PlacedMark& mark : marks) {
         const auto outlinePoints = markOutline(shape);
         for (std::size_t i = 0; i < outlinePoints.size(); ++i) {
-          const Point p = mark.at + static_cast<double>(mark.size) * outlinePoints[i];
+          const Pixel p = mark.at + static_cast<double>(mark.size) * outlinePoints[i];
           i == 0 ? path.move(p) : path.line(p);
         }
         path.close();
@@ -244,7 +244,7 @@ class SvgCanvas final : public Canvas {
     out_ += "</g>\n";
   }
 
-  void text(Point at, std::string_view text, const TextStyle& style) override {
+  void text(Pixel at, std::string_view text, const TextStyle& style) override {
     const char* anchor = style.anchor == Anchor::left     ? ""
                          : style.anchor == Anchor::centre ? " text-anchor=\"middle\""
                                                           : " text-anchor=\"end\"";
@@ -258,7 +258,7 @@ class SvgCanvas final : public Canvas {
   }
 
  private:
-  static void triangle(PathData& path, std::span<const Point> points, const Index3& t) {
+  static void triangle(PathData& path, std::span<const Pixel> points, const Index3& t) {
     path.move(points[t[0]]);
     path.line(points[t[1]]);
     path.line(points[t[2]]);

@@ -12,8 +12,8 @@ Box boxOf(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y
 
 TEST(Camera, PixelsRunDownAndComeBack) {
   const Camera camera{{3.0, -2.0}, 40.0, 800.0, 600.0};
-  EXPECT_EQ(toPixel(camera, {3.0, -2.0}), (Point{400.0, 300.0}));
-  EXPECT_EQ(toPixel(camera, {4.0, -1.0}), (Point{440.0, 260.0}));
+  EXPECT_EQ(toPixel(camera, {3.0, -2.0}), (Pixel(400.0, 300.0)));
+  EXPECT_EQ(toPixel(camera, {4.0, -1.0}), (Pixel(440.0, 260.0)));
   const Point back = toWorld(camera, toPixel(camera, {3.7, 11.1}));
   EXPECT_NEAR(back.x, 3.7, 1e-12);
   EXPECT_NEAR(back.y, 11.1, 1e-12);
@@ -23,8 +23,8 @@ TEST(Camera, FittedShowsTheWholeBoxWithItsMargin) {
   for (const Box& box : {boxOf(-32, -32, 32, 32), boxOf(0, 0, 100, 1), boxOf(4e7, 4e7, 4e7 + 1e-3, 4e7 + 5e-3)}) {
     const Camera camera = fitted(box, 900.0, 500.0, 20.0);
     // Far from the origin a unit in the last place is a good part of a thousandth of a pixel.
-    const Point low = toPixel(camera, box.lo);
-    const Point high = toPixel(camera, box.hi);
+    const Pixel low = toPixel(camera, box.lo);
+    const Pixel high = toPixel(camera, box.hi);
     EXPECT_GE(low.x, 20.0 - 2e-3);
     EXPECT_LE(high.x, 880.0 + 2e-3);
     EXPECT_GE(high.y, 20.0 - 2e-3);
@@ -46,7 +46,7 @@ TEST(Camera, FittedCopesWithBoxesWithoutExtent) {
 TEST(Camera, ZoomKeepsThePointUnderTheCursor) {
   const Box box = boxOf(-32, -32, 32, 32);
   Camera camera = fitted(box, 800.0, 600.0, 10.0);
-  const Point cursor{123.0, 456.0};
+  const Pixel cursor{123.0, 456.0};
   for (const double factor : {1.25, 3.0, 0.1, 7.7}) {
     const Point before = toWorld(camera, cursor);
     camera = zoomed(camera, cursor, factor, box);
@@ -68,7 +68,7 @@ TEST(Camera, ZoomStopsWhereDoublesNoLongerResolveAPixel) {
 TEST(Camera, PanMovesByPixels) {
   const Camera camera{{0.0, 0.0}, 10.0, 100.0, 100.0};
   const Camera moved = panned(camera, {30.0, -20.0});
-  EXPECT_EQ(toPixel(moved, {0.0, 0.0}), (Point{80.0, 30.0}));
+  EXPECT_EQ(toPixel(moved, {0.0, 0.0}), (Pixel(80.0, 30.0)));
 }
 
 TEST(Camera, VisibleBoxIsWhatTheCornersShow) {

@@ -175,7 +175,7 @@ TEST(Raster, ShowsTheWorldWhereTheCameraSaysItIs) {
   for (const Cell& cell : state.tree.cells) {
     if (cell.child >= 0 || cell.type == CellType::outside) continue;
     const Point middle = state.tree.corner(cell) + (0.5 * state.tree.side(cell)) * Point{1.0, 1.0};
-    const Point p = toPixel(camera, middle);
+    const Pixel p = toPixel(camera, middle);
     if (p.x < 2 || p.y < 2 || p.x > camera.width - 2 || p.y > camera.height - 2) continue;
     const Color expected = cellTypeColor(scene.theme, cell.type);
     EXPECT_EQ(image.at(static_cast<int>(layout.plot.x + p.x), static_cast<int>(layout.plot.y + p.y)), expected);

@@ -23,7 +23,7 @@ void fit(Desk& desk, double above) {
 
 void zoomMiddle(Desk& desk, double factor) {
   Camera& camera = desk.ui.camera;
-  camera = zoomed(camera, {0.5 * camera.width, 0.5 * camera.height}, factor, desk.scene.bounds);
+  camera = zoomed(camera, camera.middle(), factor, desk.scene.bounds);
   desk.ui.fitted = false;
 }
 

@@ -21,7 +21,7 @@ void followStage(UiState& ui, Stage stage) {
 std::optional<Point> cursorOver(const Panes& panes, const Camera& camera, bool comparing) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const ImVec2 corner = comparing && mouse.x < panes.live.at.x ? panes.pinned.at : panes.live.at;
-  const Point pixel{static_cast<double>(mouse.x - corner.x), static_cast<double>(mouse.y - corner.y)};
+  const Pixel pixel{static_cast<double>(mouse.x - corner.x), static_cast<double>(mouse.y - corner.y)};
   const bool over = pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < camera.width && pixel.y < camera.height;
   return over ? std::optional(toWorld(camera, pixel)) : std::nullopt;
 }

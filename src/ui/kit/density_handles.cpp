@@ -24,7 +24,7 @@ bool shown(const View& view) {
 }
 
 ImVec2 onScreen(const View& view, ImVec2 corner, Point world) {
-  const Point pixel = toPixel(view.ui.camera, world);
+  const Pixel pixel = toPixel(view.ui.camera, world);
   return {corner.x + static_cast<float>(pixel.x), corner.y + static_cast<float>(pixel.y)};
 }
 

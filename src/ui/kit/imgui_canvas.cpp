@@ -10,7 +10,7 @@
 namespace triscope {
 namespace {
 
-ImVec2 toImVec2(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+ImVec2 toImVec2(Pixel p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 /// Dear ImGui measures a font by its line, everything else by its em.
 float lineOverEm(const ImFont& font) {
@@ -20,13 +20,13 @@ float lineOverEm(const ImFont& font) {
 }
 
 /// Part of a triangle between two parallel lines, for hatching: at most five corners.
-void fillStripe(ImDrawList& list, const std::array<Point, 3>& corners, double from, double to, ImU32 color) {
-  const auto key = [](Point p) { return p.x + p.y; };
+void fillStripe(ImDrawList& list, const std::array<Pixel, 3>& corners, double from, double to, ImU32 color) {
+  const auto key = [](Pixel p) { return p.x + p.y; };
   std::array<ImVec2, 8> out;
   int n = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point a = corners[i];
-    const Point b = corners[(i + 1) % 3];
+    const Pixel a = corners[i];
+    const Pixel b = corners[(i + 1) % 3];
     const double ka = key(a);
     const double kb = key(b);
     if (ka >= from && ka <= to) out[static_cast<std::size_t>(n++)] = toImVec2(a);
@@ -52,12 +52,12 @@ void ImGuiCanvas::fillRects(std::span<const FilledRect> rects) {
     list_.AddRectFilled(toImVec2({r.x, r.y}), toImVec2({r.x + r.width, r.y + r.height}), toImU32(fill));
 }
 
-void ImGuiCanvas::fillTriangles(std::span<const Point> points, std::span<const Index3> triangles,
+void ImGuiCanvas::fillTriangles(std::span<const Pixel> points, std::span<const Index3> triangles,
                                 std::span<const Color> fills, bool hatched) {
   constexpr double kSpacing = 7.0;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const ImU32 color = toImU32(fills[fills.size() == 1 ? 0 : t]);
-    const std::array<Point, 3> p{points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]};
+    const std::array<Pixel, 3> p{points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]};
     if (!hatched) {
       list_.AddTriangleFilled(toImVec2(p[0]), toImVec2(p[1]), toImVec2(p[2]), color);
       continue;
@@ -72,7 +72,7 @@ void ImGuiCanvas::fillTriangles(std::span<const Point> points, std::span<const I
 
 void ImGuiCanvas::stroke(const Paths& paths, const LineStyle& style) {
   const DashPattern pattern = patternOf(style.dash);
-  const auto draw = [&](std::span<const Point> path) {
+  const auto draw = [&](std::span<const Pixel> path) {
     std::vector<ImVec2> points(path.size());
     std::transform(path.begin(), path.end(), points.begin(), toImVec2);
     list_.AddPolyline(points.data(), static_cast<int>(points.size()), toImU32(style.color), ImDrawFlags_None,
@@ -88,7 +88,7 @@ void ImGuiCanvas::stroke(const Paths& paths, const LineStyle& style) {
   }
 }
 
-void ImGuiCanvas::circle(Point centre, double radius, const LineStyle& style) {
+void ImGuiCanvas::circle(Pixel centre, double radius, const LineStyle& style) {
   Paths rim;
   rim.points = circlePolyline(centre, radius);
   rim.starts = {0};
@@ -96,7 +96,7 @@ void ImGuiCanvas::circle(Point centre, double radius, const LineStyle& style) {
 }
 
 void ImGuiCanvas::marks(std::span<const PlacedMark> marks, Shape shape, Color fill, Color outline) {
-  const std::span<const Point> corners = markOutline(shape);
+  const std::span<const Pixel> corners = markOutline(shape);
   for (const PlacedMark& mark : marks) {
     const ImVec2 at = toImVec2(mark.at);
     const float radius = 0.5f * mark.size;
@@ -110,7 +110,7 @@ void ImGuiCanvas::marks(std::span<const PlacedMark> marks, Shape shape, Color fi
       continue;
     }
     std::vector<ImVec2> points;
-    for (const Point& c : corners) points.push_back(toImVec2(mark.at + static_cast<double>(mark.size) * c));
+    for (const Pixel& c : corners) points.push_back(toImVec2(mark.at + static_cast<double>(mark.size) * c));
     if (shape == Shape::cross) {
       list_.AddLine(points[0], points[1], toImU32(fill), 1.6f);
       list_.AddLine(points[2], points[3], toImU32(fill), 1.6f);
@@ -122,7 +122,7 @@ void ImGuiCanvas::marks(std::span<const PlacedMark> marks, Shape shape, Color fi
   }
 }
 
-void ImGuiCanvas::text(Point at, std::string_view text, const TextStyle& style) {
+void ImGuiCanvas::text(Pixel at, std::string_view text, const TextStyle& style) {
   const ImFont& font = style.weight == Weight::semibold ? *fonts_.strong : *fonts_.text;
   const float size = static_cast<float>(style.size) * lineOverEm(*fonts_.text);
   const char* const begin = text.data();

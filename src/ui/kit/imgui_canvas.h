@@ -16,12 +16,12 @@ class ImGuiCanvas : public Canvas {
   void beginClip(Rect rect) override;
   void endClip() override;
   void fillRects(std::span<const FilledRect> rects) override;
-  void fillTriangles(std::span<const Point> points, std::span<const Index3> triangles, std::span<const Color> fills,
+  void fillTriangles(std::span<const Pixel> points, std::span<const Index3> triangles, std::span<const Color> fills,
                      bool hatched) override;
   void stroke(const Paths& paths, const LineStyle& style) override;
-  void circle(Point centre, double radius, const LineStyle& style) override;
+  void circle(Pixel centre, double radius, const LineStyle& style) override;
   void marks(std::span<const PlacedMark> marks, Shape shape, Color fill, Color outline) override;
-  void text(Point at, std::string_view text, const TextStyle& style) override;
+  void text(Pixel at, std::string_view text, const TextStyle& style) override;
 
  private:
   ImDrawList& list_;

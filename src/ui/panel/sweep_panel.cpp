@@ -182,7 +182,7 @@ HeatMap mapOf(const View& view, const SweepTable& table, bool outOfDate) {
   const Settings& settings = view.session.settings();
   const std::optional<double> x = placeAmong(table.omegas, settings.omega);
   const std::optional<double> y = placeAmong(table.thetas, settings.theta);
-  if (x && y) map.here = Point{*x, *y};
+  if (x && y) map.here = glm::dvec2(*x, *y);
   map.chosen = view.ui.sweep.chosen;
   return map;
 }

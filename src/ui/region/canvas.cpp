@@ -23,12 +23,12 @@ namespace {
 constexpr double kPickReach = 8.0;   // pixels at 100 %
 constexpr float kClickSlack = 4.0f;  // a press that moves less is a click
 
-Point toPoint(ImVec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+Pixel toPixels(ImVec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
 /// The mouse relative to the canvas, in pixels.
-Point mouseOn(ImVec2 corner) {
+Pixel mouseOn(ImVec2 corner) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return toPoint({mouse.x - corner.x, mouse.y - corner.y});
+  return toPixels({mouse.x - corner.x, mouse.y - corner.y});
 }
 
 bool draggedFar(const View& view) {
@@ -36,7 +36,7 @@ bool draggedFar(const View& view) {
   return ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] > slack * slack;
 }
 
-void zoomByWheel(const View& view, Orders& orders, Point mouse) {
+void zoomByWheel(const View& view, Orders& orders, Pixel mouse) {
   const float wheel = ImGui::GetIO().MouseWheel;
   if (wheel == 0.0f) return;
   const double factor = std::pow(1.2, static_cast<double>(wheel));
@@ -45,7 +45,7 @@ void zoomByWheel(const View& view, Orders& orders, Point mouse) {
 
 void pan(const View& view, Orders& orders) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
-  if (delta.x != 0.0f || delta.y != 0.0f) orders.emplace_back(panned(view.ui.camera, toPoint(delta)));
+  if (delta.x != 0.0f || delta.y != 0.0f) orders.emplace_back(panned(view.ui.camera, toPixels(delta)));
 }
 
 /// A rectangle drawn with Shift held; on release it is what is shown.
@@ -58,26 +58,26 @@ void boxZoom(const View& view, Orders& orders, ImVec2 corner, bool released) {
   list.AddRect(from, to, color, 0.0f, ImDrawFlags_None, view.px(1.5));
   if (!released) return;
   Box box;
-  box.include(toWorld(view.ui.camera, toPoint({from.x - corner.x, from.y - corner.y})));
-  box.include(toWorld(view.ui.camera, toPoint({to.x - corner.x, to.y - corner.y})));
+  box.include(toWorld(view.ui.camera, toPixels({from.x - corner.x, from.y - corner.y})));
+  box.include(toWorld(view.ui.camera, toPixels({to.x - corner.x, to.y - corner.y})));
   orders.emplace_back(order::Frame{box});
 }
 
-void click(const View& view, Orders& orders, Point mouse) {
+void click(const View& view, Orders& orders, Pixel mouse) {
   if (view.now() == nullptr) return;
   const double reach = kPickReach * view.ui.scale() / view.ui.camera.scale;
   const bool cells = ImGui::GetIO().KeyCtrl;
   orders.emplace_back(order::SelectElement{pick(view.now()->state, toWorld(view.ui.camera, mouse), reach, cells)});
 }
 
-void centreOn(const View& view, Orders& orders, Point mouse) {
+void centreOn(const View& view, Orders& orders, Pixel mouse) {
   Camera camera = view.ui.camera;
   camera.centre = toWorld(camera, mouse);
   orders.emplace_back(camera);
 }
 
 /// What can be asked about the element under the mouse; each entry selects it first.
-void aboutTheElement(const View& view, Orders& orders, Point mouse) {
+void aboutTheElement(const View& view, Orders& orders, Pixel mouse) {
   if (view.now() == nullptr) return;
   const double reach = kPickReach * view.ui.scale() / view.ui.camera.scale;
   const Pick here = pick(view.now()->state, toWorld(view.ui.camera, mouse), reach, false);
@@ -115,7 +115,7 @@ void aboutTheElement(const View& view, Orders& orders, Point mouse) {
 void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
   if (!ImGui::BeginPopup("canvas menu")) return;
   const ImVec2 at = ImGui::GetMousePosOnOpeningCurrentPopup();
-  const Point mouse = toPoint({at.x - corner.x, at.y - corner.y});
+  const Pixel mouse = toPixels({at.x - corner.x, at.y - corner.y});
   const Point world = toWorld(view.ui.camera, mouse);
   aboutTheElement(view, orders, mouse);
   const bool hasCells = view.now() != nullptr && !view.now()->state.tree.cells.empty();
@@ -132,7 +132,7 @@ void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
 
 /// `edits`: density constraints can be placed and moved here.
 void mouse(const View& view, Orders& orders, ImVec2 corner, bool edits) {
-  const Point at = mouseOn(corner);
+  const Pixel at = mouseOn(corner);
   if (ImGui::IsItemHovered()) zoomByWheel(view, orders, at);
   const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
   const bool held = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
@@ -161,7 +161,7 @@ void labels(const View& view, ImVec2 corner, std::span<const Rect> avoid, bool t
   const double scale = view.ui.scale();
   for (const PlacedLabel& placed : placeLabels(view.scene, view.ui.camera, scale, avoid)) {
     const Label& label = *placed.label;
-    canvas.text(toPoint(corner) + placed.at, label.text,
+    canvas.text(toPixels(corner) + placed.at, label.text,
                 {static_cast<double>(label.size) * scale, Weight::semibold, label.color, label.halo, Anchor::left});
     if (!told || view.widgets == nullptr) continue;
     const ImVec2 lo{corner.x + static_cast<float>(placed.at.x),
@@ -202,7 +202,7 @@ void progress(const View& view, Orders& orders, ImVec2 corner, ImVec2 size) {
 /// Where the mouse is in the other picture.
 void otherCursor(const View& view, ImVec2 corner) {
   if (!view.ui.cursor || ImGui::IsItemHovered()) return;
-  const Point at = toPixel(view.ui.camera, *view.ui.cursor);
+  const Pixel at = toPixel(view.ui.camera, *view.ui.cursor);
   const ImVec2 p{corner.x + static_cast<float>(at.x), corner.y + static_cast<float>(at.y)};
   const float reach = view.px(8);
   ImDrawList& list = *ImGui::GetWindowDrawList();
