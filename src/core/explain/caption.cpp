@@ -85,11 +85,11 @@ std::string captionOf(const Event& e, const MeshState& state) {
     case Stage::repair:
       if (e.subject == 0) return fmt::format("{} is done: nothing was mended; {}.", stage, triangles);
       return fmt::format("{} is done: {}, {}.", stage, counted(e.subject, "edit", "edits"), triangles);
-    case Stage::refine:
-      return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
     case Stage::finished:
       break;
-    default:  // fronts, steps 1 to 5
+    default:  // fronts, steps
+      if (refinesMesh(e.stage))
+        return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
       if (e.subject == 0) return fmt::format("{} is done: it had nothing to change; {}.", stage, triangles);
       return fmt::format("{} is done: {} inserted, {}.", stage, counted(e.subject, "point", "points"), triangles);
   }

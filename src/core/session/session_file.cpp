@@ -341,7 +341,7 @@ std::vector<StageHash> stageHashes(MeshState state, std::uint64_t limit, std::si
     if (beat % kBeatsPerPulse == 0 && pulse && !pulse(state)) break;
     const Stage stage = state.stage;
     const std::uint16_t round = state.round;
-    advanceUntil(state, Stage::refine, 1, nobody);
+    advanceUntil(state, state.method->stages.back(), 1, nobody);
     if (state.tick > limit) break;
     if (state.stage != stage) hashes.push_back({stage, round, state.tick, hashOf(state)});
   }

@@ -116,14 +116,6 @@ bool refines(const Settings& settings) {
   return settings.laplacian || settings.reduceObtuse || settings.sharedEdge || settings.polish;
 }
 
-Stage firstAffected(const Settings& a, const Settings& b) {
-  Stage first = Stage::finished;
-  for (const SettingInfo& info : settingTable())
-    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
-  // Whether step 6 is entered at all is decided when the stage before it ends.
-  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
-}
-
 double settingValue(const Settings& settings, const SettingInfo& info) {
   return std::visit([&](const auto member) { return static_cast<double>(settings.*member); }, info.member);
 }

@@ -50,8 +50,6 @@ std::span<const SettingInfo> settingTable();
 const SettingInfo* findSetting(std::string_view key);
 /// Whether step 6 has anything to do.
 bool refines(const Settings& settings);
-/// First stage that the difference between two settings can matter to; `finished` when they are the same.
-Stage firstAffected(const Settings& a, const Settings& b);
 double settingValue(const Settings& settings, const SettingInfo& info);
 /// Whether the paper gives a range for it that the value is not in.
 bool outsidePaper(const SettingInfo& info, double value);
