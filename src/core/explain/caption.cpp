@@ -45,11 +45,9 @@ std::size_t atBox(const Mesh& mesh) {
 }  // namespace
 
 std::string captionOf(const Event& e) {
-  const RuleWords& rule = wordsOf(e.rule);
-  const std::string_view ofRule = e.kind == EventKind::vertex_inserted  ? rule.inserted
-                                  : e.kind == EventKind::vertex_refused ? rule.refused
-                                                                        : std::string_view();
-  return filled(ofRule.empty() ? wordsOf(e.kind).caption : ofRule, e);
+  const KindWords& kind = wordsOf(e.kind);
+  const std::string_view ofRule = kind.captionOfRule == nullptr ? "" : wordsOf(e.rule).*kind.captionOfRule;
+  return filled(ofRule.empty() ? kind.caption : ofRule, e);
 }
 
 std::string captionOf(const Event& e, const MeshState& state) {
