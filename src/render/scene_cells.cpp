@@ -15,7 +15,7 @@ int segmentsOf(const Curve& curve) {
     case CurveKind::line:
       return 1;
     case CurveKind::arc:
-      return std::max(2, static_cast<int>(std::ceil(std::fabs(curve.sweep) * 80.0)));
+      return std::max(2, static_cast<int>(std::ceil(std::fabs(curve.sweptAngle) * 80.0)));
     case CurveKind::spline:
       return std::max(2, 12 * (static_cast<int>(curve.knots.size()) - 1));
   }

@@ -14,12 +14,12 @@ namespace {
 bool isLength(const SettingInfo& info) { return info.unit == "length"; }
 
 /// Range for a control: lengths are bound to the domain, since theirs is open.
-struct Span {
+struct ControlRange {
   double low;
   double high;
 };
 
-Span spanOf(const SettingInfo& info, const MeshState* state) {
+ControlRange spanOf(const SettingInfo& info, const MeshState* state) {
   if (!isLength(info) || state == nullptr) return {info.lowest, std::min(info.highest, 1e9)};
   const Box& box = state->domain->bounds;
   const double extent = std::max(box.width(), box.height());
@@ -35,7 +35,7 @@ std::string labelOf(const SettingInfo& info) {
 }
 
 /// The control for a number; true when the value was changed.
-bool number(const SettingInfo& info, double& value, Span span) {
+bool number(const SettingInfo& info, double& value, ControlRange span) {
   if (info.member.kind == SettingKind::whole) {
     auto whole = static_cast<int>(value);
     const float pace = std::max(0.3f, 0.005f * static_cast<float>(whole));  // of a large number a part of itself
@@ -67,7 +67,7 @@ bool choice(const SettingInfo& info, double& value) {
   return changed;
 }
 
-std::string helpOf(const SettingInfo& info, Span span) {
+std::string helpOf(const SettingInfo& info, ControlRange span) {
   std::string text(info.help);
   const double standard = settingValue(Settings{}, info);
   if (isNamed(info)) {
@@ -93,7 +93,7 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   bool held = false;  // by the control for numbers, which says when it is let go
   bool letGo = false;
   double value = before;
-  const Span span = spanOf(info, state);
+  const ControlRange span = spanOf(info, state);
 
   if (info.member.kind == SettingKind::on_off) {
     bool on = before != 0.0;

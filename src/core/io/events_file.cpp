@@ -18,9 +18,9 @@ std::string_view otherKey(const Event& event) {
 }
 
 /// The members of one object, appended to a buffer.
-class Line {
+class ObjectLine {
  public:
-  Line(TextBuffer& out, std::uint64_t number) : out_(out) { print(out_, FMT_COMPILE("{{\"event\": {}"), number); }
+  ObjectLine(TextBuffer& out, std::uint64_t number) : out_(out) { print(out_, FMT_COMPILE("{{\"event\": {}"), number); }
   void number(std::string_view key, std::uint64_t value) {
     member(key);
     print(out_, FMT_COMPILE("{}"), value);
@@ -61,7 +61,7 @@ class Line {
 void appendEvent(TextBuffer& out, const Event& event, std::uint64_t number) {
   const bool ofStage = does(event, kBounds);
   const KindWords& words = wordsOf(event.kind);
-  Line line(out, number);
+  ObjectLine line(out, number);
   line.word("kind", words.name);
   line.word("stage", infoOf(event.stage).key);
   if (event.round > 0) line.number("round", event.round);

@@ -85,7 +85,7 @@ int fewestEdges(const Loop& loop, const Curve& curve) {
   if (loop.role == LoopRole::chain) return 1;
   if (loop.curveCount == 1) return 6;
   if (loop.curveCount == 2) return 3;
-  return curve.kind == CurveKind::arc && std::fabs(curve.sweep) > 1.6 ? 2 : 1;
+  return curve.kind == CurveKind::arc && std::fabs(curve.sweptAngle) > 1.6 ? 2 : 1;
 }
 
 }  // namespace
