@@ -13,6 +13,7 @@
 #include "core/domain/domain.h"
 #include "core/mesh/mesh.h"
 #include "core/method/method.h"
+#include "core/method/room.h"
 #include "core/words/settings.h"
 #include "core/words/stage.h"
 
@@ -71,9 +72,10 @@ struct MeshState {
   std::uint64_t tick = 0;  // decisions made
   std::array<StageCounts, kStageCount> counts{};
   bool failed = false;  // the method could not go on; the state stays to be looked at
+  Room room;
 };
 
-/// 64-bit digest of everything above except the domain, the method and the counts.
+/// 64-bit digest of everything above except the domain, the method, the counts and the room.
 std::uint64_t hashOf(const MeshState& state);
 
 }  // namespace triscope

@@ -209,7 +209,8 @@ Outcome placeNext(MeshState& state, Journal& journal, Rule rule, VertexKind kind
   const std::int32_t owner = cursor.worklist[k];
   const double floor = state.minEdge * (1.0 - 1e-9);  // where all edges are Δx long, points are Δx apart up to rounding
   const Demand demand{std::max(kNearest * edgeLengthAt(state.tree, p), floor), 0.0};
-  const Attempt attempt = place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand);
+  const Attempt attempt =
+      place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand, state.room.placing);
   if (attempt.vertex >= 0) {
     cursor.next[k] = attempt.vertex;
     front.push_back(attempt.vertex);
