@@ -76,9 +76,8 @@ Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const Tr
 std::string silence(Events life, const Review& review, const RuleWords& words, bool gone) {
   const std::string rule = capitalised(words.name);
   if (const auto end = review.ended[static_cast<std::size_t>(words.stage)]) {
-    const std::uint16_t round = inRounds(words.stage) ? life[*end].round : std::uint16_t{0};
-    return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end,
-                       round > 0 ? fmt::format(", round {}", round) : std::string(), words.silent);
+    const std::string round = inRounds(words.stage) ? ", " + turnText(words.stage, life[*end].round) : "";
+    return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end, round, words.silent);
   }
   const bool before = review.endedBefore[static_cast<std::size_t>(words.stage)];
   return fmt::format("{} has proposed nothing: {}.", rule,
