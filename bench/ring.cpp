@@ -19,7 +19,7 @@ Curve halfCircle(Point a, Point b, double startAngle) {
                .centre = {0.0, 0.0},
                .radius = 1.0,
                .startAngle = startAngle,
-               .sweep = -std::numbers::pi};
+               .sweptAngle = -std::numbers::pi};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "core/base/shown_text.h"
 #include "core/explain/caption.h"
 #include "core/explain/element.h"
+#include "core/explain/fields.h"
 #include "core/explain/life.h"
 #include "core/explain/why.h"
 #include "core/io/events_file.h"
@@ -47,8 +48,8 @@ std::vector<Line> stateLines(const Stop& stop, const Quality& quality) {
   std::vector<Line> lines{linked(summaryOf(state, quality))};
   lines.push_back(linked(fmt::format("{} made, {} recorded.", counted(state.tick, "decision", "decisions"),
                                      counted(stop.events.size(), "event", "events"))));
-  if (state.round > 0 && state.stage != Stage::finished)
-    lines.push_back(linked(fmt::format("{} {}.", state.stage == Stage::refine ? "Pass" : "Round", state.round)));
+  if (const std::string turn = turnText(state.stage, state.round); !turn.empty())
+    lines.push_back(linked(capitalised(turn) + "."));
   lines.push_back(linked(fmt::format("{}, {}, {} obtuse, {}.", counted(quality.triangles, "triangle", "triangles"),
                                      counted(quality.vertices, "vertex", "vertices"), grouped(quality.obtuse),
                                      counted(state.tree.cells.size(), "cell", "cells"))));

@@ -84,7 +84,7 @@ Error failureOf(const MeshState& failed) {
   // Failures are rare and runs repeat exactly: a run without a listener learns the reason by running again with one.
   std::vector<Event> events;
   Journal journal{&events};
-  Result<MeshState> again = begin(failed.domain, failed.settings);
+  Result<MeshState> again = begin(failed.domain, failed.settings, {}, *failed.method);
   if (!again.ok()) return again.error();
   advance(*again, Grain::all, journal);
   for (auto event = events.rbegin(); event != events.rend(); ++event) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <csignal>
 #include <iterator>
+#include <optional>
 #include <string_view>
 
 namespace triscope {
@@ -13,25 +14,29 @@ namespace {
 struct Meaning {
   int code;
   std::string_view words;
+  std::optional<ErrorKind> kind{};  // of the error that ends the program so
 };
 
-constexpr Meaning of(ExitCode code, std::string_view words) { return {static_cast<int>(code), words}; }
+constexpr Meaning of(ExitCode code, std::string_view words, std::optional<ErrorKind> kind = {}) {
+  return {static_cast<int>(code), words, kind};
+}
 
 constexpr int kBySignal = 128;  // more than the number of the signal, as shells have it
 
 constexpr std::array kMeanings{
     of(ExitCode::ok, "done"),
     of(ExitCode::unmet,
-       "a bound is not met, a mesh is not valid, a session is not as recorded, or the method could not go on"),
-    of(ExitCode::usage, "the command line is wrong"),
-    of(ExitCode::bad_data, "the input is wrong, or asks for more triangles than --max-triangles"),
-    of(ExitCode::no_input, "the input cannot be opened"),
-    of(ExitCode::no_display, "no window can be opened here"),
-    of(ExitCode::internal, "a defect of the program"),
-    of(ExitCode::no_memory, "not enough memory"),
-    of(ExitCode::cannot_write, "an output cannot be written"),
+       "a bound is not met, a mesh is not valid, a session is not as recorded, or the method could not go on",
+       ErrorKind::unmet),
+    of(ExitCode::usage, "the command line is wrong", ErrorKind::usage),
+    of(ExitCode::bad_data, "the input is wrong, or asks for more triangles than --max-triangles", ErrorKind::bad_data),
+    of(ExitCode::no_input, "the input cannot be opened", ErrorKind::no_input),
+    of(ExitCode::no_display, "no window can be opened here", ErrorKind::no_display),
+    of(ExitCode::internal, "a defect of the program", ErrorKind::internal),
+    of(ExitCode::no_memory, "not enough memory", ErrorKind::no_memory),
+    of(ExitCode::cannot_write, "an output cannot be written", ErrorKind::cannot_write),
     Meaning{kBySignal + SIGHUP, "stopped, the terminal is gone"},
-    of(ExitCode::cancelled, "stopped by Ctrl+C"),
+    of(ExitCode::cancelled, "stopped by Ctrl+C", ErrorKind::cancelled),
     Meaning{kBySignal + SIGPIPE, "stopped, nobody reads a pipe any more"},
     Meaning{kBySignal + SIGTERM, "stopped by TERM"},
 };
@@ -39,26 +44,8 @@ constexpr std::array kMeanings{
 }  // namespace
 
 ExitCode exitCodeOf(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::bad_data:
-      return ExitCode::bad_data;
-    case ErrorKind::no_input:
-      return ExitCode::no_input;
-    case ErrorKind::cannot_write:
-      return ExitCode::cannot_write;
-    case ErrorKind::usage:
-      return ExitCode::usage;
-    case ErrorKind::unmet:
-      return ExitCode::unmet;
-    case ErrorKind::no_display:
-      return ExitCode::no_display;
-    case ErrorKind::no_memory:
-      return ExitCode::no_memory;
-    case ErrorKind::cancelled:
-      return ExitCode::cancelled;
-    case ErrorKind::internal:
-      break;
-  }
+  for (const Meaning& meaning : kMeanings)
+    if (meaning.kind == kind) return static_cast<ExitCode>(meaning.code);
   return ExitCode::internal;
 }
 

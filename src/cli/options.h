@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/debug_request.h"
+#include "core/method/method.h"
 #include "core/words/settings.h"
 #include "core/words/stage.h"
 #include "render/view_options.h"
@@ -18,10 +19,10 @@ namespace triscope {
 struct MeshCommand {
   std::string domain;
   Settings settings;
-  std::vector<std::string> outputs;  // by extension
-  Stage until = Stage::refine;       // the last stage to run
-  std::string report;                // empty: none
-  std::string events;                // empty: none
+  std::vector<std::string> outputs;           // by extension
+  Stage until = paperMethod().stages.back();  // the last stage to run
+  std::string report;                         // empty: none
+  std::string events;                         // empty: none
   bool msh2 = false;
   bool quiet = false;
 };
@@ -37,10 +38,10 @@ struct FigureCommand {
   std::string domain;
   Settings settings;
   std::vector<std::string> outputs;
-  Stage stage = Stage::refine;        // drawn as it is when this stage is over
-  std::optional<CellColoring> cells;  // draw the quadtree, coloured so; by default as suits the stage
-  std::optional<Box> box;             // draw this part of the plane only
-  int width = 1200;                   // pixels
+  Stage stage = paperMethod().stages.back();  // drawn as it is when this stage is over
+  std::optional<CellColoring> cells;          // draw the quadtree, coloured so; by default as suits the stage
+  std::optional<Box> box;                     // draw this part of the plane only
+  int width = 1200;                           // pixels
   int height = 900;
   bool dark = false;
   bool quiet = false;

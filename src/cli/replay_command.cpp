@@ -14,9 +14,8 @@ namespace triscope {
 namespace {
 
 std::string stageOf(const StageHash& at) {
-  std::string text(infoOf(at.stage).name);
-  if (at.round > 0) text += fmt::format(", {} {}", at.stage == Stage::refine ? "pass" : "round", at.round);
-  return text;
+  const std::string turn = turnText(at.stage, at.round);
+  return std::string(infoOf(at.stage).name) + (turn.empty() ? "" : ", " + turn);
 }
 
 Error unmet(std::string message, std::string hint, const std::string& file) {

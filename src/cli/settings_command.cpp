@@ -7,13 +7,10 @@
 namespace triscope {
 namespace {
 
-std::string number(const SettingInfo& info, double value) {
-  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
-  return fmt::format("{:.9g}", value);
-}
-
 std::string range(const SettingInfo& info) {
-  if (std::holds_alternative<bool Settings::*>(info.member)) return "on, off";
+  std::string names;
+  for (const NamedValue& named : info.names) names.append(names.empty() ? "" : ", ").append(named.name);
+  if (!names.empty()) return names;
   if (info.highest > 1e100) return fmt::format(">= {:g}", info.lowest);
   return fmt::format("{:.9g} .. {:.9g}", info.lowest, info.highest);
 }
@@ -28,7 +25,7 @@ ExitCode runCommand(const SettingsCommand&) {
   constexpr auto row = "{:<16} {:<3} {:<8} {:<14} {:<13} {:<10} {}\n";
   answer(fmt::runtime(row), "setting", "", "default", "range", "paper's range", "unit", "what it does");
   for (const SettingInfo& info : settingTable())
-    answer(fmt::runtime(row), info.key, info.symbol, number(info, settingValue(Settings{}, info)), range(info),
+    answer(fmt::runtime(row), info.key, info.symbol, valueText(info, settingValue(Settings{}, info)), range(info),
            paperRange(info), info.unit, info.help);
   return ExitCode::ok;
 }

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <span>
+#include <vector>
 
-#include "core/method/pipeline.h"
+#include "core/method/method.h"
 
 namespace triscope {
 namespace {
@@ -16,21 +17,19 @@ struct StageName {
   std::string_view name;
   Stage last;
 };
-constexpr std::array kNames{
-    StageName{"constraints", Stage::constraints},
-    StageName{"quadtree", Stage::quadtree},
-    StageName{"density", Stage::density},
-    StageName{"boundary", Stage::boundary},
-    StageName{"triangulation", Stage::triangulation},
-    StageName{"recovery", Stage::recovery},
-    StageName{"carve", Stage::carve},
-    StageName{"front1", Stage::front1},
-    StageName{"front2", Stage::front2},
-    StageName{"fronts", Stage::front2},
-    StageName{"step1", Stage::step1},
-    StageName{"rounds", Stage::step5},
-    StageName{"refine", Stage::refine},
-};
+
+std::vector<StageName> names() {
+  std::vector<StageName> list;
+  const std::span<const Stage> all = paperMethod().stages;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const StageInfo& info = infoOf(all[k]);
+    if (!inRounds(info.id)) list.push_back({info.key, info.id});
+    const bool last = k + 1 == all.size() || infoOf(all[k + 1]).group != info.group;
+    const std::string_view group = groupKey(info.group);
+    if (last && !group.empty()) list.push_back({group, info.id});
+  }
+  return list;
+}
 
 bool comesAgain(std::string_view name) {
   return std::ranges::any_of(stages(), [name](const StageInfo& info) { return info.key == name && inRounds(info.id); });
@@ -39,7 +38,7 @@ bool comesAgain(std::string_view name) {
 }  // namespace
 
 Result<Stage> stageNamed(std::string_view name) {
-  for (const StageName& entry : kNames)
+  for (const StageName& entry : names())
     if (entry.name == name) return entry.last;
   if (comesAgain(name))
     return Error{.kind = ErrorKind::usage,
@@ -54,7 +53,7 @@ Result<Stage> stageNamed(std::string_view name) {
 
 std::string stageNames() {
   std::string list;
-  for (const StageName& entry : kNames) {
+  for (const StageName& entry : names()) {
     if (!list.empty()) list += ", ";
     list += entry.name;
   }

@@ -92,7 +92,7 @@ std::string figureTitle(const MeshState& state, Stage stage) {
   std::string name = state.domain && !state.domain->name.empty() ? state.domain->name : std::string("domain");
   std::replace(name.begin(), name.end(), '_', ' ');
   if (stage == Stage::finished) return name;
-  return fmt::format("{}, after {}", name, stage == Stage::step5 ? "the rounds of steps 2–5" : infoOf(stage).name);
+  return fmt::format("{}, after {}", name, inRounds(stage) ? "the rounds of steps 2–5" : infoOf(stage).name);
 }
 
 std::string figureCaption(const MeshState& state, Stage stage) {

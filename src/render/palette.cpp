@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/method/method.h"
+
 namespace triscope {
 namespace {
 
@@ -149,44 +151,25 @@ Color cellTypeColor(const Theme& theme, CellType type) {
 }
 
 Color stageColor(const Theme& theme, Stage stage) {
-  // Four groups as the paper's sections: density, boundary and triangulation, fronts, steps; lighter to darker within.
-  switch (stage) {
-    case Stage::constraints:
-      return mix(theme.background, okabe::purple, 0.5);
-    case Stage::quadtree:
-      return mix(theme.background, okabe::purple, 0.7);
-    case Stage::density:
-      return mix(theme.background, okabe::purple, 0.9);
-    case Stage::boundary:
-      return mix(theme.background, okabe::orange, 0.5);
-    case Stage::triangulation:
-      return mix(theme.background, okabe::orange, 0.65);
-    case Stage::recovery:
-      return mix(theme.background, okabe::orange, 0.8);
-    case Stage::carve:
-      return mix(theme.background, okabe::orange, 0.95);
-    case Stage::front1:
-      return mix(theme.background, okabe::sky, 0.7);
-    case Stage::front2:
-      return okabe::sky;
-    case Stage::step1:
-      return mix(theme.background, okabe::blue, 0.5);
-    case Stage::step2:
-      return mix(theme.background, okabe::blue, 0.62);
-    case Stage::step3:
-      return mix(theme.background, okabe::blue, 0.74);
-    case Stage::step4:
-      return mix(theme.background, okabe::blue, 0.86);
-    case Stage::step5:
-      return okabe::blue;
-    case Stage::repair:
-      return mix(theme.background, okabe::vermillion, 0.85);
-    case Stage::refine:
-      return mix(theme.background, okabe::green, 0.9);
-    case Stage::finished:
+  // The paper's sections have a colour each; lighter to darker within.
+  const StageInfo& info = infoOf(stage);
+  if (stage == Stage::repair) return mix(theme.background, okabe::vermillion, info.shade);
+  switch (info.group) {
+    case StageGroup::density:
+      return mix(theme.background, okabe::purple, info.shade);
+    case StageGroup::boundary:
+      return mix(theme.background, okabe::orange, info.shade);
+    case StageGroup::fronts:
+      return mix(theme.background, okabe::sky, info.shade);
+    case StageGroup::filling:
+    case StageGroup::rounds:
+      return mix(theme.background, okabe::blue, info.shade);
+    case StageGroup::refinement:
+      return mix(theme.background, okabe::green, info.shade);
+    case StageGroup::end:
       break;
   }
-  return mix(theme.text, okabe::green, 0.5);  // apart from step 6, and from any background
+  return mix(theme.text, okabe::green, info.shade);  // apart from step 6, and from any background
 }
 
 double contrast(Color a, Color b) {

@@ -15,7 +15,7 @@ int segmentsOf(const Curve& curve) {
     case CurveKind::line:
       return 1;
     case CurveKind::arc:
-      return std::max(2, static_cast<int>(std::ceil(std::fabs(curve.sweep) * 80.0)));
+      return std::max(2, static_cast<int>(std::ceil(std::fabs(curve.sweptAngle) * 80.0)));
     case CurveKind::spline:
       return std::max(2, 12 * (static_cast<int>(curve.knots.size()) - 1));
   }
@@ -92,13 +92,20 @@ void buildBoundary(const SceneInput& in, Layer& layer) {
   layer.lines.push_back(std::move(batch));
 }
 
-std::array<SourceStyle, kSourceCount> sourceStyles(const Theme& theme) {
+std::vector<SourceStyle> sourceStyles(const Theme& theme) {
   const Color black = theme.text;
-  return {{{Rule::user_request, Shape::square, theme.dark ? okabe::purple : rgb(0xA0487A), "asked for"},
-           {Rule::curvature, Shape::circle, theme.constraint, "curvature"},
-           {Rule::corner, Shape::triangle, black, "corner"},
-           {Rule::gap, Shape::diamond, theme.dark ? okabe::sky : okabe::blue, "gap"},
-           {Rule::short_edge, Shape::cross, theme.dark ? rgb(0x35C79A) : rgb(0x007A5A), "short edge"}}};
+  std::vector<SourceStyle> styles{
+      {Rule::user_request, Shape::square, theme.dark ? okabe::purple : rgb(0xA0487A), "asked for"},
+      {Rule::curvature, Shape::circle, theme.constraint, "curvature"},
+      {Rule::corner, Shape::triangle, black, "corner"},
+      {Rule::gap, Shape::diamond, theme.dark ? okabe::sky : okabe::blue, "gap"},
+      {Rule::short_edge, Shape::cross, theme.dark ? rgb(0x35C79A) : rgb(0x007A5A), "short edge"}};
+  for (int k = 0; k < kRuleCount; ++k) {  // those that have no mark of their own
+    const auto rule = static_cast<Rule>(k);
+    if (wordsOf(rule).family == Family::source && std::ranges::count(styles, rule, &SourceStyle::source) == 0)
+      styles.push_back({rule, Shape::ring, theme.text, name(rule).data()});
+  }
+  return styles;
 }
 
 void buildConstraints(const SceneInput& in, Layer& layer) {

@@ -49,8 +49,7 @@ struct SourceStyle {
   Color color;
   const char* label;
 };
-inline constexpr int kSourceCount = 5;
-std::array<SourceStyle, kSourceCount> sourceStyles(const Theme& theme);
+std::vector<SourceStyle> sourceStyles(const Theme& theme);
 
 /// Styles of the three circles of Figure 4.
 LineStyle worstStyle(const Theme& theme, int which);  // 0 aspect, 1 area ratio, 2 edge ratio

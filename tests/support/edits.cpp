@@ -15,7 +15,7 @@ std::string editAtRandom(MeshState& state, Random& random, EditCounts& counts) {
   switch (random.below(8)) {
     case 0: {
       const auto edge = static_cast<std::int32_t>(random.below(mesh.edges.size()));
-      if (splitBoundary(mesh, *state.domain, state.tree, edge, 0.0).vertex >= 0) ++counts.split;
+      if (splitBoundary(mesh, *state.domain, state.tree, edge, 0.0, state.room.placing).vertex >= 0) ++counts.split;
       return fmt::format("split of boundary edge {}", edge);
     }
     case 1: {
@@ -35,7 +35,8 @@ std::string editAtRandom(MeshState& state, Random& random, EditCounts& counts) {
     }
     default: {
       const Point p{random.between(box.lo.x, box.hi.x), random.between(box.lo.y, box.hi.y)};
-      if (place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::steiner, {}).vertex >= 0) ++counts.inserted;
+      if (place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::steiner, {}, state.room.placing).vertex >= 0)
+        ++counts.inserted;
       return fmt::format("insertion at {}, {}", p.x, p.y);
     }
   }

@@ -107,12 +107,12 @@ TEST(Arc, RunsThroughItsThreePointsEitherWay) {
   const Point through{1, 3};
   const Point b{-1, 1};
   const Curve left = *arcThrough(a, through, b);  // about (1, 1), counter-clockwise
-  EXPECT_NEAR(left.sweep, trig::kPi, 1e-15);
+  EXPECT_NEAR(left.sweptAngle, trig::kPi, 1e-15);
   EXPECT_LT(distance(pointAt(left, 0.5), through), 1e-15);
   const Curve right = *arcThrough(b, through, a);
-  EXPECT_NEAR(right.sweep, -trig::kPi, 1e-15);
+  EXPECT_NEAR(right.sweptAngle, -trig::kPi, 1e-15);
   const Curve mostOfIt = *arcThrough({3, 1}, {-1, 1}, {1, -1});  // three quarters of the circle
-  EXPECT_NEAR(mostOfIt.sweep, 1.5 * trig::kPi, 1e-15);
+  EXPECT_NEAR(mostOfIt.sweptAngle, 1.5 * trig::kPi, 1e-15);
 }
 
 TEST(Arc, StraightOrNearlySoIsNone) {

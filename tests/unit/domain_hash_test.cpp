@@ -27,7 +27,7 @@ TEST(DomainHash, ChangesWithEveryPartOfTheDomain) {
       [](Domain& d) { d.curves[0].centre.x += 1.0; },
       [](Domain& d) { d.curves[0].radius += 1.0; },
       [](Domain& d) { d.curves[0].startAngle += 1.0; },
-      [](Domain& d) { d.curves[0].sweep += 1.0; },
+      [](Domain& d) { d.curves[0].sweptAngle += 1.0; },
       [spline](Domain& d) { d.curves[spline].knots[1].x += 1.0; },
       [spline](Domain& d) { d.curves[spline].slopes[1].x += 1.0; },
       [spline](Domain& d) { d.curves[spline].params[1] += 0.01; },

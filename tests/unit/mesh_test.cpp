@@ -37,7 +37,7 @@ TEST(BoundaryLists, FollowSplits) {
   support::Random random{5};
   for (int k = 0; k < 60; ++k) {
     const auto e = static_cast<std::int32_t>(random.below(state.mesh.edges.size()));
-    const Attempt attempt = splitBoundary(state.mesh, *state.domain, state.tree, e, 0.0);
+    const Attempt attempt = splitBoundary(state.mesh, *state.domain, state.tree, e, 0.0, state.room.placing);
     ASSERT_GE(attempt.vertex, 0);
     EXPECT_EQ(findBoundaryEdge(state.mesh, state.mesh.edges[at(e)].v0, attempt.vertex), e);
   }

@@ -33,10 +33,10 @@ TEST(StageTable, HasEveryStageInOrderWithItsOwnKey) {
 // Hashes in saved sessions hold them.
 TEST(StageTable, CodesAreEachStagesOwn) {
   std::set<int> codes;
-  for (const StageInfo& info : stages()) codes.insert(codeOf(info.id));
+  for (const StageInfo& info : stages()) codes.insert(info.code);
   EXPECT_EQ(codes.size(), static_cast<std::size_t>(kStageCount));
-  EXPECT_EQ(codeOf(Stage::refine), 15);
-  EXPECT_EQ(codeOf(Stage::finished), 16);
+  EXPECT_EQ(infoOf(Stage::refine).code, 15);
+  EXPECT_EQ(infoOf(Stage::finished).code, 16);
 }
 
 TEST(Begin, TakesDxFromTheSettingsTheDomainOrTheGeometryInThatOrder) {

@@ -35,12 +35,12 @@ TEST(RunningQuality, EqualsAFreshMeasurementAfterEveryDecision) {
     Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), {});
     ASSERT_TRUE(state.ok());
     Journal journal;
-    ChangeLog changes;
+    ChangeLog changes(state->mesh);
     RunningQuality running;
     running.reset(state->mesh);
     while (advance(*state, Grain::decision, journal)) {
-      running.update(state->mesh, changes.slots);
-      changes.slots.clear();
+      running.update(state->mesh, changes.slots());
+      changes.clear();
       expectSame(running, state->mesh, state->tick);
       if (HasFatalFailure()) return;
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <string>
 
@@ -35,7 +36,7 @@ TEST(SettingTable, EveryMemberOfSettingsIsInIt) {
   // Moving every entry off its default must give a Settings that differs in every member.
   Settings moved;
   for (const SettingInfo& info : settingTable()) {
-    const bool isSwitch = std::holds_alternative<bool Settings::*>(info.member);
+    const bool isSwitch = info.member.kind == SettingKind::on_off;
     const double standard = settingValue(moved, info);
     const double other = isSwitch ? 1.0 - standard : (standard + 1.0 <= info.highest ? standard + 1.0 : info.lowest);
     ASSERT_TRUE(setSetting(moved, info, other).ok()) << info.key;
@@ -109,6 +110,54 @@ TEST(SetSetting, RefusesWithAMessageAndChangesNothing) {
     EXPECT_NE(status.error().message.find(refused.messageHas), std::string::npos) << status.error().message;
     EXPECT_NE(status.error().hint.find(refused.hintHas), std::string::npos) << status.error().hint;
     EXPECT_EQ(settings, Settings{}) << refused.key << '=' << refused.value;
+  }
+}
+
+// A row for values with names, kept in a member that has none in the table.
+enum class Centre : int { circumcentre, offcentre, spokes };
+constexpr std::array kCentres{NamedValue{"circumcentre", 0.0}, NamedValue{"offcentre", 1.0}, NamedValue{"spokes", 2.0}};
+constexpr SettingInfo kNamed{
+    "placement",
+    "",
+    "where points are put",
+    "",
+    {SettingKind::named, [](const Settings& s) { return static_cast<double>(s.maxRounds - 60); },
+     [](Settings& s, double value) { s.maxRounds = 60 + static_cast<int>(value); }},
+    0.0,
+    2.0,
+    0.0,
+    0.0,
+    Stage::step1,
+    "Where points are put.",
+    kCentres};
+
+TEST(NamedSetting, IsSetByItsNamesAndByNothingElse) {
+  Settings settings;
+  ASSERT_TRUE(setSetting(settings, kNamed, "spokes").ok());
+  EXPECT_EQ(settingValue(settings, kNamed), static_cast<double>(Centre::spokes));
+  EXPECT_EQ(settingText(kNamed, 1.0), "offcentre");
+  EXPECT_EQ(valueText(kNamed, 1.0), "offcentre");
+  EXPECT_EQ(rangeText(kNamed), "circumcentre, offcentre or spokes");
+  for (const char* const word : {"2", "on", "Spokes", ""}) {
+    const Status status = setSetting(settings, kNamed, word);
+    ASSERT_FALSE(status.ok()) << word;
+    EXPECT_NE(status.error().message.find("is no value for the setting 'placement'"), std::string::npos);
+    EXPECT_EQ(status.error().hint, "give circumcentre, offcentre or spokes (default circumcentre)");
+  }
+  EXPECT_FALSE(setSetting(settings, kNamed, 0.5).ok());
+  EXPECT_FALSE(setSetting(settings, kNamed, 3.0).ok());
+  EXPECT_EQ(settingValue(settings, kNamed), 2.0);
+}
+
+TEST(SettingTable, NamesEveryValueOfASwitchOrAnEnumAndOfNothingElse) {
+  for (const SettingInfo& info : settingTable()) {
+    const bool named = info.member.kind == SettingKind::on_off || info.member.kind == SettingKind::named;
+    EXPECT_EQ(isNamed(info), named) << info.key;
+    if (named) {
+      EXPECT_FALSE(valueName(info, info.lowest).empty()) << info.key;
+      EXPECT_FALSE(valueName(info, info.highest).empty()) << info.key;
+      EXPECT_FALSE(valueName(info, settingValue(Settings{}, info)).empty()) << info.key;
+    }
   }
 }
 

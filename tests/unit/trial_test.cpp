@@ -5,7 +5,6 @@
 
 #include <limits>
 
-#include "core/mesh/change_log.h"
 #include "core/mesh/patch.h"
 #include "support/edits.h"
 #include "support/meshes.h"
@@ -33,27 +32,27 @@ TEST_P(TrialOf, JudgesLikeTheWholeMeshAndTakesBack) {
     extractPatch(state.mesh, live[random.below(live.size())], 4, patch);
     beginTrial(trial, patch.mesh);
     for (int edit = 0; edit < 25; ++edit) {
-      ChangeLog touched;
+      trial.mesh.touched->clear();
       std::swap(state.mesh, trial.mesh);
       const std::string tried = support::editAtRandom(state, random, counts);
       std::swap(state.mesh, trial.mesh);
-      const Breach judged = judgeEdit(trial, touched.slots, std::numeric_limits<int>::max());
+      const Breach judged = judgeEdit(trial, std::numeric_limits<int>::max());
       const Badness whole = badnessOf(trial.mesh, support::liveSlots(trial.mesh));
       ASSERT_EQ(judged.broken, whole.broken) << tried;
       ASSERT_NEAR(judged.excess, whole.excess, 1e-9 * whole.excess) << tried;
-      if (!touched.slots.empty()) {
+      if (!trial.mesh.touched->empty()) {
         ASSERT_GE(judged.shortest, whole.shortest) << tried;
         ASSERT_EQ(std::min(judged.shortest, trial.whole.shortest), std::min(whole.shortest, trial.whole.shortest));
       }
       // Given up early, it is at least as bad as was allowed.
       const int most = whole.broken / 2;
-      ASSERT_GE(judgeEdit(trial, touched.slots, most).broken, std::min(whole.broken, most + 1)) << tried;
+      ASSERT_GE(judgeEdit(trial, most).broken, std::min(whole.broken, most + 1)) << tried;
       broken += whole.broken;
       if (edit % 10 == 9) {
         keepEdit(trial);
         continue;
       }
-      takeBack(trial, touched.slots);
+      takeBack(trial);
       ASSERT_EQ(support::difference(trial.mesh, trial.unedited), "") << tried;
     }
   }

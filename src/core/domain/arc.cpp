@@ -24,9 +24,9 @@ std::optional<Curve> arcThrough(Point a, Point through, Point b) {
   if (!(radius <= kFlattest * distance(a, b))) return std::nullopt;
   Curve arc{.kind = CurveKind::arc, .a = a, .b = b, .centre = circle.centre, .radius = radius};
   arc.startAngle = angleOf(a - arc.centre);
-  arc.sweep = angleOf(b - arc.centre) - arc.startAngle;
-  if (turn > 0 && arc.sweep <= 0.0) arc.sweep += 2.0 * trig::kPi;
-  if (turn < 0 && arc.sweep >= 0.0) arc.sweep -= 2.0 * trig::kPi;
+  arc.sweptAngle = angleOf(b - arc.centre) - arc.startAngle;
+  if (turn > 0 && arc.sweptAngle <= 0.0) arc.sweptAngle += 2.0 * trig::kPi;
+  if (turn < 0 && arc.sweptAngle >= 0.0) arc.sweptAngle -= 2.0 * trig::kPi;
   return arc;
 }
 
@@ -38,7 +38,7 @@ Curve makeCircle(Point centre, double radius) {
           .centre = centre,
           .radius = radius,
           .startAngle = 0.0,
-          .sweep = 2.0 * trig::kPi};
+          .sweptAngle = 2.0 * trig::kPi};
 }
 
 }  // namespace triscope

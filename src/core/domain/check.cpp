@@ -9,7 +9,7 @@
 #include "core/base/shown_text.h"
 #include "core/domain/orient.h"
 #include "core/domain/outline.h"
-#include "core/domain/sweep.h"
+#include "core/domain/sweep_line.h"
 #include "core/geometry/predicates.h"
 
 namespace triscope {
@@ -130,7 +130,7 @@ bool onOneLine(std::span<const Chord> chords) {
                      [&](const Chord& chord) { return orient2d(chords[0].a, chords[0].b, chord.b) == 0; });
 }
 
-Status checkNesting(const DomainDraft& draft, const std::vector<Chord>& chords, const SweepResult& swept) {
+Status checkNesting(const DomainDraft& draft, const std::vector<Chord>& chords, const SweepLineResult& swept) {
   const Namer names(draft, chords);
   const auto& loops = draft.domain.loops;
   for (std::size_t i = 0; i < chords.size(); ++i) {
@@ -172,7 +172,7 @@ Status checkOutline(const DomainDraft& draft) {
     }
     chords.insert(chords.end(), own.begin(), own.end());
   }
-  const SweepResult swept = sweep(domain, chords);
+  const SweepLineResult swept = sweepLine(domain, chords);
   if (swept.contact) return explain(*swept.contact, Namer(draft, chords));
   return checkNesting(draft, chords, swept);
 }

@@ -11,7 +11,7 @@ namespace triscope {
 namespace {
 
 /// Cubic Hermite span of a spline: ends p0, p1 and slopes s0, s1 over a parameter width.
-struct Span {
+struct SplineSpan {
   Point p0, p1, s0, s1;
   double start = 0.0;
   double width = 1.0;
@@ -19,7 +19,7 @@ struct Span {
 
 std::size_t spanCount(const Curve& curve) { return curve.knots.size() - 1; }
 
-Span spanOf(const Curve& curve, std::size_t k) {
+SplineSpan spanOf(const Curve& curve, std::size_t k) {
   return {curve.knots[k],      curve.knots[k + 1], curve.slopes[k],
           curve.slopes[k + 1], curve.params[k],    curve.params[k + 1] - curve.params[k]};
 }
@@ -30,7 +30,7 @@ std::size_t spanAt(const Curve& curve, double t) {
   return std::min(k, spanCount(curve) - 1);
 }
 
-Point valueOf(const Span& span, double t) {
+Point valueOf(const SplineSpan& span, double t) {
   const double u = (t - span.start) / span.width;
   const double v = 1.0 - u;
   const double h1 = u * u * (3.0 - 2.0 * u);
@@ -38,14 +38,14 @@ Point valueOf(const Span& span, double t) {
   return (1.0 - h1) * span.p0 + h1 * span.p1 + along;
 }
 
-Point derivativeOf(const Span& span, double t) {
+Point derivativeOf(const SplineSpan& span, double t) {
   const double u = (t - span.start) / span.width;
   const double v = 1.0 - u;
   const Point chord = (1.0 / span.width) * (span.p1 - span.p0);
   return (6.0 * u * v) * chord + (v * (1.0 - 3.0 * u)) * span.s0 + (u * (3.0 * u - 2.0)) * span.s1;
 }
 
-Point secondDerivativeOf(const Span& span, double t) {
+Point secondDerivativeOf(const SplineSpan& span, double t) {
   const double u = (t - span.start) / span.width;
   const Point chord = (1.0 / span.width) * (span.p1 - span.p0);
   const Point sum = (6.0 - 12.0 * u) * chord + (6.0 * u - 4.0) * span.s0 + (6.0 * u - 2.0) * span.s1;
@@ -53,7 +53,7 @@ Point secondDerivativeOf(const Span& span, double t) {
 }
 
 /// Arc length of one span between two parameters in it: seven-point Gauss-Legendre on each half.
-double spanLength(const Span& span, double t0, double t1) {
+double spanLength(const SplineSpan& span, double t0, double t1) {
   constexpr std::array<double, 4> nodes{0.0, 0.4058451513773971669, 0.7415311855993944399, 0.9491079123427585245};
   constexpr std::array<double, 4> weights{0.4179591836734693878, 0.3818300505051189449, 0.2797053914892766679,
                                           0.1294849661688696933};
@@ -78,7 +78,7 @@ Point pointAt(const Curve& curve, double t) {
   if (t >= 1.0) return curve.b;
   switch (curve.kind) {
     case CurveKind::arc: {
-      const trig::SinCos direction = trig::sinCos(curve.startAngle + t * curve.sweep);
+      const trig::SinCos direction = trig::sinCos(curve.startAngle + t * curve.sweptAngle);
       return curve.centre + curve.radius * Point{direction.cos, direction.sin};
     }
     case CurveKind::spline:
@@ -92,8 +92,8 @@ Point pointAt(const Curve& curve, double t) {
 Point derivativeAt(const Curve& curve, double t) {
   switch (curve.kind) {
     case CurveKind::arc: {
-      const trig::SinCos direction = trig::sinCos(curve.startAngle + t * curve.sweep);
-      return (curve.radius * curve.sweep) * Point{-direction.sin, direction.cos};
+      const trig::SinCos direction = trig::sinCos(curve.startAngle + t * curve.sweptAngle);
+      return (curve.radius * curve.sweptAngle) * Point{-direction.sin, direction.cos};
     }
     case CurveKind::spline:
       return derivativeOf(spanOf(curve, spanAt(curve, t)), t);
@@ -108,7 +108,7 @@ double curvatureAt(const Curve& curve, double t) {
     case CurveKind::arc:
       return 1.0 / curve.radius;
     case CurveKind::spline: {
-      const Span span = spanOf(curve, spanAt(curve, t));
+      const SplineSpan span = spanOf(curve, spanAt(curve, t));
       const Point first = derivativeOf(span, t);
       const double speed = length(first);
       if (speed == 0.0) return 0.0;  // a cusp has no curvature
@@ -123,11 +123,11 @@ double curvatureAt(const Curve& curve, double t) {
 double lengthBetween(const Curve& curve, double t0, double t1) {
   switch (curve.kind) {
     case CurveKind::arc:
-      return (t1 - t0) * curve.radius * std::fabs(curve.sweep);
+      return (t1 - t0) * curve.radius * std::fabs(curve.sweptAngle);
     case CurveKind::spline: {
       double total = 0.0;
       for (std::size_t k = spanAt(curve, t0); k < spanCount(curve) && curve.params[k] < t1; ++k) {
-        const Span span = spanOf(curve, k);
+        const SplineSpan span = spanOf(curve, k);
         const double from = std::max(t0, span.start);
         const double to = std::min(t1, curve.params[k + 1]);
         if (from < to) total += spanLength(span, from, to);

@@ -18,7 +18,7 @@ struct Curve {
   Point centre{};                // arc
   double radius = 0.0;           // arc
   double startAngle = 0.0;       // arc, radians
-  double sweep = 0.0;            // arc, radians, positive counter-clockwise
+  double sweptAngle = 0.0;       // arc, radians, positive counter-clockwise
   std::vector<Point> knots{};    // spline: the input points from a to b
   std::vector<Point> slopes{};   // spline: derivative at each knot w.r.t. the knot parameter below
   std::vector<double> params{};  // spline: increasing, params.front() == 0, params.back() == 1

@@ -22,10 +22,10 @@ void add(Digest& digest, const Loop& loop) {
 }
 
 void add(Digest& digest, const Curve& curve) {
-  const auto& [kind, a, b, centre, radius, startAngle, sweep, knots, slopes, params] = curve;
+  const auto& [kind, a, b, centre, radius, startAngle, sweptAngle, knots, slopes, params] = curve;
   digest.word(static_cast<std::uint64_t>(kind));
   for (const Point p : {a, b, centre}) digest.point(p);
-  for (const double d : {radius, startAngle, sweep}) digest.number(d);
+  for (const double d : {radius, startAngle, sweptAngle}) digest.number(d);
   digest.points(knots);
   digest.points(slopes);
   digest.numbers(params);

@@ -41,8 +41,8 @@ Curve reversed(const Curve& curve) {
   Curve turned = curve;
   turned.a = curve.b;
   turned.b = curve.a;
-  turned.startAngle = curve.startAngle + curve.sweep;
-  turned.sweep = -curve.sweep;
+  turned.startAngle = curve.startAngle + curve.sweptAngle;
+  turned.sweptAngle = -curve.sweptAngle;
   std::reverse(turned.knots.begin(), turned.knots.end());
   std::reverse(turned.slopes.begin(), turned.slopes.end());
   std::reverse(turned.params.begin(), turned.params.end());

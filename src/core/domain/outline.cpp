@@ -30,7 +30,7 @@ std::vector<double> sampleParams(const Curve& curve) {
       params.push_back(1.0);
       break;
     case CurveKind::arc:
-      appendSteps(params, 0.0, 1.0, chordsFor(curve.sweep));
+      appendSteps(params, 0.0, 1.0, chordsFor(curve.sweptAngle));
       break;
     case CurveKind::spline:
       for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k) {

@@ -61,20 +61,10 @@ std::optional<std::size_t> causeOf(Events events, std::size_t index) {
     return firstBefore(events, index,
                        [&](const Event& p) { return p.kind == EventKind::boundary_point && p.at == e.at; });
   const Named origin = originOf(e);
-  switch (origin.what) {
-    case Names::triangle:
-      return reasonFor(events, {Ref::Kind::triangle, origin.id}, index);
-    case Names::vertex:
-      return reasonFor(events, {Ref::Kind::vertex, origin.id}, index);
-    case Names::cell:
-      return reasonFor(events, {Ref::Kind::cell, origin.id}, index);
-    case Names::constraint:
-      return firstBefore(events, index, [&](const Event& c) {
-        return c.kind == EventKind::constraint_found && c.subject == origin.id;
-      });
-    default:
-      return std::nullopt;
-  }
+  if (const auto element = wordsOf(origin.what).element) return reasonFor(events, {*element, origin.id}, index);
+  if (origin.what != Names::constraint) return std::nullopt;
+  return firstBefore(events, index,
+                     [&](const Event& c) { return c.kind == EventKind::constraint_found && c.subject == origin.id; });
 }
 
 void Answer::say(const std::string& text) {

@@ -45,11 +45,9 @@ std::size_t atBox(const Mesh& mesh) {
 }  // namespace
 
 std::string captionOf(const Event& e) {
-  const RuleWords& rule = wordsOf(e.rule);
-  const std::string_view ofRule = e.kind == EventKind::vertex_inserted  ? rule.inserted
-                                  : e.kind == EventKind::vertex_refused ? rule.refused
-                                                                        : std::string_view();
-  return filled(ofRule.empty() ? wordsOf(e.kind).caption : ofRule, e);
+  const KindWords& kind = wordsOf(e.kind);
+  const std::string_view ofRule = kind.captionOfRule == nullptr ? "" : wordsOf(e.rule).*kind.captionOfRule;
+  return filled(ofRule.empty() ? kind.caption : ofRule, e);
 }
 
 std::string captionOf(const Event& e, const MeshState& state) {
@@ -85,11 +83,11 @@ std::string captionOf(const Event& e, const MeshState& state) {
     case Stage::repair:
       if (e.subject == 0) return fmt::format("{} is done: nothing was mended; {}.", stage, triangles);
       return fmt::format("{} is done: {}, {}.", stage, counted(e.subject, "edit", "edits"), triangles);
-    case Stage::refine:
-      return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
     case Stage::finished:
       break;
-    default:  // fronts, steps 1 to 5
+    default:  // fronts, steps
+      if (refinesMesh(e.stage))
+        return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
       if (e.subject == 0) return fmt::format("{} is done: it had nothing to change; {}.", stage, triangles);
       return fmt::format("{} is done: {} inserted, {}.", stage, counted(e.subject, "point", "points"), triangles);
   }

@@ -46,9 +46,9 @@ std::string star(const Event& e) {
                               : " (in obtuse angles, area ratio or edge ratio)";
 }
 
-/// Step 6 measures the triangles around a vertex before and after.
+/// Refinement measures the triangles around a vertex before and after.
 std::string around(const Event& e) {
-  if (e.stage != Stage::refine || !(e.limit > 0.0)) return {};
+  if (!refinesMesh(e.stage) || !(e.limit > 0.0)) return {};
   return fmt::format(" The worst aspect ratio around it went from {:.4g} to {:.4g}.", e.limit, e.measured);
 }
 
@@ -65,7 +65,11 @@ struct Field {
 constexpr std::array kFields = std::to_array<Field>({
     {"stage", [](const Event& e) { return capitalised(infoOf(e.stage).name); }},
     {"does", [](const Event& e) { return std::string(infoOf(e.stage).does); }},
-    {"in_round", [](const Event& e) { return e.round > 0 ? fmt::format(", round {}", e.round) : std::string(); }},
+    {"in_round",
+     [](const Event& e) {
+       const std::string turn = turnText(e.stage, e.round);
+       return turn.empty() ? turn : ", " + turn;
+     }},
     {"outcome", outcome},
     {"rule", [](const Event& e) { return capitalised(name(e.rule)); }},
     {"why", [](const Event& e) { return std::string(describe(e.rule)); }},

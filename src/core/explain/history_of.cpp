@@ -11,10 +11,8 @@
 namespace triscope {
 namespace {
 
-bool isRefusal(const Event& e) { return wordsOf(e.kind).picture == Picture::refusal; }
-
 bool sameRefusal(const Event& a, const Event& b) {
-  return isRefusal(a) && a.kind == b.kind && a.rule == b.rule && a.refusal == b.refusal;
+  return does(a, kRefuses) && a.kind == b.kind && a.rule == b.rule && a.refusal == b.refusal;
 }
 
 /// What an event made of the triangle's own shape; nothing when it moved no corner.

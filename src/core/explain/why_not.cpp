@@ -7,22 +7,11 @@
 #include "core/explain/answer.h"
 #include "core/explain/fields.h"
 #include "core/explain/why.h"
+#include "core/method/method.h"
 #include "core/words/vocabulary.h"
 
 namespace triscope {
 namespace {
-
-struct Trial {
-  Rule rule;
-  Stage stage;
-};
-constexpr std::array kTrials{
-    Trial{Rule::step1, Stage::step1},        Trial{Rule::step2, Stage::step2},
-    Trial{Rule::step3, Stage::step3},        Trial{Rule::step4, Stage::step4},
-    Trial{Rule::step5, Stage::step5},        Trial{Rule::repair, Stage::repair},
-    Trial{Rule::laplacian, Stage::refine},   Trial{Rule::reduce_obtuse, Stage::refine},
-    Trial{Rule::shared_edge, Stage::refine}, Trial{Rule::polish, Stage::refine},
-};
 
 /// Proposals of one rule that had the same outcome; `last` is the latest event of them.
 struct Outcomes {
@@ -33,9 +22,9 @@ struct Outcomes {
 
 /// What one look through the triangle's life found.
 struct Review {
-  std::array<std::vector<Outcomes>, kTrials.size()> outcomes;  // by trial
-  std::array<std::optional<std::size_t>, kStageCount> ended;   // by stage: the last event that ended it, of its life
-  std::array<bool, kStageCount> endedBefore{};                 // by stage: it ended before the triangle was made
+  std::array<std::vector<Outcomes>, kRuleCount> outcomes;     // by rule
+  std::array<std::optional<std::size_t>, kStageCount> ended;  // by stage: the last event that ended it, of its life
+  std::array<bool, kStageCount> endedBefore{};                // by stage: it ended before the triangle was made
 };
 
 /// True when the proposal is for the triangle, or for one of its corners.
@@ -47,7 +36,7 @@ bool isFor(const Event& e, std::uint32_t triangle, const TriangleFacts& facts) {
 }
 
 bool sameOutcome(const Event& a, const Event& b) {
-  const bool move = does(a, kMoves) || a.kind == EventKind::vertex_kept;
+  const bool move = wordsOf(a.kind).from;
   return a.kind == b.kind && a.refusal == b.refusal && (!move || a.vertex == b.vertex);
 }
 
@@ -77,22 +66,20 @@ Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const Tr
   for (std::size_t k = life.next(birth, may); k < life.size(); k = life.next(k + 1, may)) {
     const Event& e = life.peek(k);
     if (e.kind == EventKind::stage_finished) review.ended[static_cast<std::size_t>(e.stage)] = k;
-    if (!does(e, kProposes) || !isFor(e, triangle, facts)) continue;
-    const auto trial = std::find_if(kTrials.begin(), kTrials.end(), [&](const Trial& t) { return t.rule == e.rule; });
-    if (trial != kTrials.end()) add(life, k, review.outcomes[static_cast<std::size_t>(trial - kTrials.begin())]);
+    if (does(e, kProposes) && isFor(e, triangle, facts))
+      add(life, k, review.outcomes[static_cast<std::size_t>(e.rule)]);
   }
   return review;
 }
 
 /// Of a rule that proposed nothing: that it had a look and found nothing to do, or why it had none.
-std::string silence(Events life, const Review& review, const Trial& trial, bool gone) {
-  const std::string rule = capitalised(name(trial.rule));
-  if (const auto end = review.ended[static_cast<std::size_t>(trial.stage)]) {
-    const std::uint16_t round = trial.stage == Stage::refine ? std::uint16_t{0} : life[*end].round;
-    return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end,
-                       round > 0 ? fmt::format(", round {}", round) : std::string(), wordsOf(trial.rule).silent);
+std::string silence(Events life, const Review& review, const RuleWords& words, bool gone) {
+  const std::string rule = capitalised(words.name);
+  if (const auto end = review.ended[static_cast<std::size_t>(words.stage)]) {
+    const std::string round = inRounds(words.stage) ? ", " + turnText(words.stage, life[*end].round) : "";
+    return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end, round, words.silent);
   }
-  const bool before = review.endedBefore[static_cast<std::size_t>(trial.stage)];
+  const bool before = review.endedBefore[static_cast<std::size_t>(words.stage)];
   return fmt::format("{} has proposed nothing: {}.", rule,
                      before ? "it was over before the triangle was made"
                      : gone ? "the triangle was gone before it came to its end"
@@ -111,13 +98,14 @@ std::vector<Line> whyNot(Events events, std::uint32_t triangle, const TriangleFa
   }
   const Events life = facts.death ? events.first(*facts.death + 1) : events;
   const Review review = reviewOf(life, birth.value_or(0), triangle, facts);
-  for (std::size_t k = 0; k < kTrials.size(); ++k) {
-    if (wordsOf(kTrials[k].rule).ofVertices && facts.corners[0] == kNoId) continue;
+  for (std::size_t k = 0; k < review.outcomes.size(); ++k) {
+    const RuleWords& words = wordsOf(static_cast<Rule>(k));
+    if (words.silent.empty() || (words.ofVertices && facts.corners[0] == kNoId)) continue;
     for (const Outcomes& outcome : review.outcomes[k]) {
       answer.say(told(events, outcome.last) +
                  (outcome.count > 1 ? fmt::format(" The last of {} times.", outcome.count) : std::string()));
     }
-    if (review.outcomes[k].empty()) answer.say(silence(life, review, kTrials[k], facts.death.has_value()));
+    if (review.outcomes[k].empty()) answer.say(silence(life, review, words, facts.death.has_value()));
   }
   if (facts.death) answer.say(ending(events, *facts.death));
   return answer.take();

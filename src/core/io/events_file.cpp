@@ -10,54 +10,17 @@
 namespace triscope {
 namespace {
 
-std::string_view keyOf(Names what) {
-  switch (what) {
-    case Names::triangle:
-      return "triangle";
-    case Names::vertex:
-      return "vertex";
-    case Names::cell:
-      return "cell";
-    case Names::constraint:
-      return "constraint";
-    case Names::curve:
-      return "curve";
-    case Names::boundary_edge:
-      return "boundary_edge";
-    case Names::boundary_point:
-      return "boundary_point";
-    case Names::changes:
-      return "changes";
-    case Names::nothing:
-      break;
-  }
-  return "";
-}
-
-/// Of the other element: told from the subject, where both are triangles, and from what the event made.
+/// Of the other element: told from the subject, where both are triangles.
 std::string_view otherKey(const Event& event) {
-  switch (const Names what = otherOf(event)) {
-    case Names::triangle:
-      return wordsOf(event.kind).subject == Names::triangle ? "other_triangle" : "triangle";
-    case Names::cell:
-      return "from_cell";
-    case Names::vertex:
-      return "from_vertex";
-    case Names::nothing:
-      return "other";
-    default:
-      return keyOf(what);
-  }
-}
-
-std::string_view createdKey(Names what) {
-  return what == Names::cell ? "first_cell" : what == Names::triangle ? "first_triangle" : "";
+  const Names what = otherOf(event);
+  if (what == Names::triangle && wordsOf(event.kind).subject == what) return "other_triangle";
+  return wordsOf(what).other;
 }
 
 /// The members of one object, appended to a buffer.
-class Line {
+class ObjectLine {
  public:
-  Line(TextBuffer& out, std::uint64_t number) : out_(out) { print(out_, FMT_COMPILE("{{\"event\": {}"), number); }
+  ObjectLine(TextBuffer& out, std::uint64_t number) : out_(out) { print(out_, FMT_COMPILE("{{\"event\": {}"), number); }
   void number(std::string_view key, std::uint64_t value) {
     member(key);
     print(out_, FMT_COMPILE("{}"), value);
@@ -96,18 +59,18 @@ class Line {
 };
 
 void appendEvent(TextBuffer& out, const Event& event, std::uint64_t number) {
-  const bool ofStage = event.kind == EventKind::stage_begun || event.kind == EventKind::stage_finished;
+  const bool ofStage = does(event, kBounds);
   const KindWords& words = wordsOf(event.kind);
-  Line line(out, number);
+  ObjectLine line(out, number);
   line.word("kind", words.name);
   line.word("stage", infoOf(event.stage).key);
   if (event.round > 0) line.number("round", event.round);
   if (event.rule != Rule::none) line.word("rule", name(event.rule));
   if (event.refusal != Refusal::none) line.word("refusal", name(event.refusal));
-  line.id(keyOf(words.subject), event.subject);
+  line.id(wordsOf(words.subject).key, event.subject);
   line.id(otherKey(event), event.other);
   line.id("vertex", event.vertex);
-  line.id(createdKey(words.created), event.created);
+  line.id(wordsOf(words.created).created, event.created);
   if (event.createdCount > 0) line.number("created", event.createdCount);
   if (event.removedCount > 0) line.number("removed", event.removedCount);
   if (!ofStage && (event.measured != 0.0 || event.limit != 0.0)) {

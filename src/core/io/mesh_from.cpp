@@ -12,11 +12,11 @@ namespace triscope {
 namespace {
 
 /// A half-edge under the undirected edge it belongs to.
-struct Side {
+struct EdgeSide {
   std::int32_t low;
   std::int32_t high;
   std::int32_t half;
-  bool operator<(const Side& other) const {
+  bool operator<(const EdgeSide& other) const {
     return std::tie(low, high, half) < std::tie(other.low, other.high, other.half);
   }
 };
@@ -30,7 +30,7 @@ std::string times(std::size_t count, const char* what) {
 }
 
 /// Pairs up half-edges; the sides come sorted.
-Status linkSides(Mesh& mesh, const std::vector<Side>& sides) {
+Status linkSides(Mesh& mesh, const std::vector<EdgeSide>& sides) {
   for (std::size_t i = 0; i < sides.size();) {
     std::size_t end = i;
     while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
@@ -66,7 +66,7 @@ Result<Mesh> meshFrom(const MeshFile& file, std::vector<std::string>* notes) {
   for (const Point p : file.points) addVertex(mesh, p, VertexKind::steiner, 1);
 
   std::size_t turned = 0;
-  std::vector<Side> sides;
+  std::vector<EdgeSide> sides;
   sides.reserve(3 * file.triangles.size());
   for (const auto& t : file.triangles) {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
@@ -94,7 +94,7 @@ Result<Mesh> meshFrom(const MeshFile& file, std::vector<std::string>* notes) {
   };
   for (const MeshFile::Edge& edge : file.edges) {
     const std::int32_t low = std::min(edge.a, edge.b), high = std::max(edge.a, edge.b);
-    const auto side = std::lower_bound(sides.begin(), sides.end(), Side{low, high, -1});
+    const auto side = std::lower_bound(sides.begin(), sides.end(), EdgeSide{low, high, -1});
     if (side == sides.end() || side->low != low || side->high != high) {
       ++missing;
     } else {

@@ -65,9 +65,9 @@ void addVerdict(ObjectText& out, const Mesh& mesh, const Quality& q) {
 
 std::string stageList(const MeshState& state, const StageSeconds& seconds) {
   std::string list;
-  for (const StageInfo& stage : stages()) {
-    if (stage.id == Stage::finished) continue;
-    const auto index = static_cast<std::size_t>(stage.id);
+  for (const Stage id : state.method->stages) {
+    const StageInfo& stage = infoOf(id);
+    const auto index = static_cast<std::size_t>(id);
     const StageCounts& counts = state.counts[index];
     list += fmt::format(
         "{}\n    {{\"key\": {}, \"name\": {}, \"seconds\": {}, \"decisions\": {}, \"inserted\": {}, \"refused\": {}, "
@@ -105,7 +105,7 @@ std::string reportOf(const MeshState& state, const Quality& quality, const Stage
   out.add("min_edge_derived", state.minEdgeDerived);
   addVerdict(out, state.mesh, quality);
   out.add("rounds", std::size_t{state.roundsDone});
-  out.add("passes", std::size_t{state.stage == Stage::refine ? state.round : state.passesDone});
+  out.add("passes", std::size_t{state.passesDone} + (refinesMesh(state.stage) ? state.round : 0u));
   out.add("failed", state.failed);
   out.add("stages", stageList(state, seconds));
   return out.str() + "\n";

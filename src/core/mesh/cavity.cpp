@@ -275,7 +275,7 @@ std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t dens
   triangleAround[vertex] = slots[n - 1];
   mesh.nextId = id;
   mesh.lastTriangle = slots[n - 1];
-  ChangeLog::note(cavity.fan());
+  noteTouched(mesh, cavity.fan());
   return vertex;
 }
 

@@ -1,44 +1,36 @@
-// Which triangle slots the last edits wrote to, for those who follow a run closely. Off unless somebody listens.
+// Which triangle slots the last edits of a mesh wrote to, for those who follow a run closely. Off unless somebody does.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/mesh/mesh.h"
+
 namespace triscope {
 
-/// While one lives, slots that get a new triangle, lose theirs, or have a corner moved are appended to it (possibly
-/// several times) by the edits made on this thread. One at a time per thread; not part of any state.
+/// While one lives, slots of the mesh that get a new triangle, lose theirs, or have a corner moved are listed, possibly
+/// several times. One at a time for a mesh; a copy that is made of the mesh meanwhile goes on with a list of its own.
 class ChangeLog {
  public:
-  ChangeLog() { listener_ = this; }
-  ~ChangeLog() { listener_ = nullptr; }
+  explicit ChangeLog(Mesh& mesh) : mesh_(&mesh) { mesh.touched.emplace(); }
+  ~ChangeLog() { mesh_->touched.reset(); }
   ChangeLog(const ChangeLog&) = delete;
   ChangeLog& operator=(const ChangeLog&) = delete;
 
-  std::vector<std::int32_t> slots;
-
-  static void note(std::int32_t slot) {
-    if (listener_ != nullptr) listener_->slots.push_back(slot);
-  }
-  static void note(std::span<const std::int32_t> several) {
-    if (listener_ != nullptr) listener_->slots.insert(listener_->slots.end(), several.begin(), several.end());
-  }
-
-  /// Edits on copies (patches tried out) are nobody's business: silences the log for a scope.
-  class Pause {
-   public:
-    Pause() : paused_(listener_) { listener_ = nullptr; }
-    ~Pause() { listener_ = paused_; }
-    Pause(const Pause&) = delete;
-    Pause& operator=(const Pause&) = delete;
-
-   private:
-    ChangeLog* paused_;
-  };
+  [[nodiscard]] const std::vector<std::int32_t>& slots() const { return *mesh_->touched; }
+  void clear() { mesh_->touched->clear(); }
 
  private:
-  inline static thread_local ChangeLog* listener_ = nullptr;
+  Mesh* mesh_;
 };
+
+/// What an edit says of the slots it writes to.
+inline void noteTouched(Mesh& mesh, std::int32_t slot) {
+  if (mesh.touched) mesh.touched->push_back(slot);
+}
+inline void noteTouched(Mesh& mesh, std::span<const std::int32_t> several) {
+  if (mesh.touched) mesh.touched->insert(mesh.touched->end(), several.begin(), several.end());
+}
 
 }  // namespace triscope

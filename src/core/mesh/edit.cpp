@@ -36,7 +36,7 @@ std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_
   mesh.tested[at(slot)] = 0;
   mesh.triangles[at(slot)] = {{a, b, c}, {-1, -1, -1}};
   mesh.ids[at(slot)] = mesh.nextId++;
-  ChangeLog::note(slot);
+  noteTouched(mesh, slot);
   mesh.vertexTriangle[at(a)] = slot;
   mesh.vertexTriangle[at(b)] = slot;
   mesh.vertexTriangle[at(c)] = slot;
@@ -48,7 +48,7 @@ void killTriangle(Mesh& mesh, std::int32_t slot) {
   mesh.flags[at(slot)] = kDead;
   mesh.tested[at(slot)] = kTestedAll;
   mesh.freeSlots.push_back(slot);
-  ChangeLog::note(slot);
+  noteTouched(mesh, slot);
 }
 
 namespace {

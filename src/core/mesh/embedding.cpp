@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/domain/sweep.h"
+#include "core/domain/sweep_line.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
 
@@ -26,7 +26,7 @@ class Borders {
   }
 
   [[nodiscard]] std::optional<Violation> check() const {
-    const SweepResult swept = sweep(loops_, chords_);
+    const SweepLineResult swept = sweepLine(loops_, chords_);
     if (swept.contact) return describe(*swept.contact);
     for (std::size_t i = 0; i < chords_.size(); ++i) {
       const std::int32_t around = swept.enclosing[i];

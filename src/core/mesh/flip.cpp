@@ -49,8 +49,8 @@ std::int32_t flipEdge(Mesh& mesh, std::int32_t half) {
   for (const std::int32_t out : {outAd, outCa, outBc, outDb}) {
     if (out >= 0) mesh.tested[at(triangleOf(out))] = 0;
   }
-  ChangeLog::note(left);
-  ChangeLog::note(right);
+  noteTouched(mesh, left);
+  noteTouched(mesh, right);
   mesh.tested[at(left)] = 0;
   mesh.tested[at(right)] = 0;
   mesh.ids[at(left)] = mesh.nextId++;

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/point.h"
@@ -66,7 +67,8 @@ struct Mesh {
   std::vector<std::int32_t> freeSlots;       // last freed, first reused
   std::vector<BoundaryEdge> edges;
   std::uint32_t nextId = 0;
-  std::int32_t lastTriangle = 0;  // where the next walk starts
+  std::int32_t lastTriangle = 0;                     // where the next walk starts
+  std::optional<std::vector<std::int32_t>> touched;  // while a ChangeLog follows the edits: the slots they wrote to
 
   [[nodiscard]] bool alive(std::int32_t slot) const { return (flags[static_cast<std::size_t>(slot)] & kDead) == 0; }
   [[nodiscard]] std::size_t liveCount() const { return triangles.size() - freeSlots.size(); }

@@ -30,8 +30,8 @@ void saveFlip(const Mesh& mesh, std::int32_t half, MoveLog& log) {
 }  // namespace
 
 bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
-  thread_local Star star;
-  thread_local std::vector<std::int32_t> suspects;
+  Star& star = log.star;
+  std::vector<std::int32_t>& suspects = log.suspects;
   starOf(mesh, vertex, star);
   if (!star.closed) return false;
   for (const std::int32_t rim : star.rim) {
@@ -49,7 +49,7 @@ bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
     const std::int32_t slot = triangleOf(rim);
     save(mesh, slot, log);
     log.slots.push_back(slot);
-    ChangeLog::note(slot);
+    noteTouched(mesh, slot);
     suspects.push_back(rim);
     suspects.push_back(3 * slot + next3(cornerOf(rim)));
   }

@@ -1,6 +1,7 @@
 // Moving a vertex with the Delaunay property restored by flips, and taking it back.
 #pragma once
 
+#include "core/mesh/edit.h"
 #include "core/mesh/flip.h"
 
 namespace triscope {
@@ -25,6 +26,9 @@ struct MoveLog {
   std::vector<SavedVertex> vertices;
   std::vector<std::int32_t> slots;  // of the star and of every triangle flipped: the same region before and after
   std::uint32_t flips = 0;
+  // Scratch of moveVertex().
+  Star star;
+  std::vector<std::int32_t> suspects;
 };
 
 /// Moves a vertex inside its closed star and flips until the region is Delaunay. Returns false, changing nothing, when

@@ -6,8 +6,8 @@
 namespace triscope {
 
 void extractPatch(const Mesh& mesh, std::int32_t slot, int depth, Patch& patch) {
-  // Scratch maps from the mesh to the patch; -1 everywhere between calls.
-  thread_local std::vector<std::int32_t> localSlot, localVertex;
+  std::vector<std::int32_t>& localSlot = patch.localSlot;
+  std::vector<std::int32_t>& localVertex = patch.localVertex;
   if (localSlot.size() < mesh.triangles.size()) localSlot.resize(mesh.triangles.size(), -1);
   if (localVertex.size() < mesh.points.size()) localVertex.resize(mesh.points.size(), -1);
 

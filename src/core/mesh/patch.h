@@ -10,6 +10,9 @@ struct Patch {
   std::vector<std::int32_t> slots;     // patch slot -> mesh slot
   std::vector<std::int32_t> vertices;  // patch vertex -> mesh vertex
   std::vector<std::int32_t> edges;     // patch boundary edge -> mesh boundary edge
+  // Scratch of extractPatch(), from the mesh to the patch: -1 everywhere between calls.
+  std::vector<std::int32_t> localSlot;
+  std::vector<std::int32_t> localVertex;
 };
 
 /// Triangles within `depth` steps across unconstrained edges; patch slot 0 is `slot`.

@@ -27,16 +27,13 @@ bool delaunayEar(const Mesh& mesh, const std::vector<std::int32_t>& polygon, std
 }  // namespace
 
 bool removeVertex(Mesh& mesh, std::int32_t vertex) {
-  thread_local Star star;
-  thread_local std::vector<std::int32_t> polygon;  // corners counter-clockwise
-  thread_local std::vector<std::int32_t> outside;  // half-edge beyond the edge from corner k to corner k + 1
-  thread_local std::vector<std::uint8_t> walls;
+  Star star;
+  std::vector<std::int32_t> polygon;  // corners counter-clockwise
+  std::vector<std::int32_t> outside;  // half-edge beyond the edge from corner k to corner k + 1
+  std::vector<std::uint8_t> walls;
   if (mesh.vertexEdge[at(vertex)] >= 0) return false;
   starOf(mesh, vertex, star);
   if (!star.closed || star.rim.size() < 3) return false;
-  polygon.clear();
-  outside.clear();
-  walls.clear();
   for (const std::int32_t rim : star.rim) {
     polygon.push_back(startOf(mesh, rim));
     outside.push_back(oppositeOf(mesh, rim));

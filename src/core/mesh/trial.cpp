@@ -29,15 +29,18 @@ void measureWhole(Trial& trial) {
 void beginTrial(Trial& trial, const Mesh& from) {
   trial.unedited = from;
   trial.mesh = from;
+  trial.mesh.touched.emplace();
   measureWhole(trial);
 }
 
 void keepEdit(Trial& trial) {
   trial.unedited = trial.mesh;
+  trial.unedited.touched.reset();
+  trial.mesh.touched->clear();
   measureWhole(trial);
 }
 
-Breach judgeEdit(Trial& trial, const std::vector<std::int32_t>& touched, int most) {
+Breach judgeEdit(Trial& trial, int most) {
   const Mesh& mesh = trial.mesh;
   trial.inRegion.resize(mesh.triangles.size(), 0);
   trial.region.clear();
@@ -46,7 +49,7 @@ Breach judgeEdit(Trial& trial, const std::vector<std::int32_t>& touched, int mos
     trial.inRegion[at(slot)] = 1;
     trial.region.push_back(slot);
   };
-  for (const std::int32_t slot : touched) take(slot);
+  for (const std::int32_t slot : *mesh.touched) take(slot);
   // A pair is counted by the lower of its slots, so those beside the touched ones may count otherwise now.
   const std::size_t edited = trial.region.size();
   for (std::size_t k = 0; k < edited; ++k) {
@@ -72,7 +75,7 @@ Breach judgeEdit(Trial& trial, const std::vector<std::int32_t>& touched, int mos
   return after;
 }
 
-void takeBack(Trial& trial, const std::vector<std::int32_t>& touched) {
+void takeBack(Trial& trial) {
   const Mesh& from = trial.unedited;
   Mesh& mesh = trial.mesh;
   const std::size_t vertices = from.points.size();
@@ -98,7 +101,7 @@ void takeBack(Trial& trial, const std::vector<std::int32_t>& touched) {
     mesh.flags[at(slot)] = from.flags[at(slot)];
     mesh.tested[at(slot)] = from.tested[at(slot)];
   };
-  for (const std::int32_t slot : touched) {
+  for (const std::int32_t slot : *mesh.touched) {
     if (at(slot) >= slots) continue;
     restore(slot);
     if (!from.alive(slot)) continue;

@@ -9,7 +9,7 @@
 namespace triscope {
 
 struct Trial {
-  Mesh mesh;       // to edit
+  Mesh mesh;       // to edit; it lists the slots that are written to
   Mesh unedited;   // what it is like before each edit
   Breach whole;    // of all triangles of `unedited`
   struct Broken {  // the triangles that add to it, in the order of their slots
@@ -26,12 +26,12 @@ struct Trial {
 void beginTrial(Trial& trial, const Mesh& from);
 void keepEdit(Trial& trial);
 
-/// The breach of the whole mesh after an edit that wrote to the slots `touched` (ChangeLog), found from these and the
-/// triangles beside them. `shortest` is that of the triangles looked at. The search is given up, with a result that is
-/// as bad or better, once more than `most` bounds are found broken.
-Breach judgeEdit(Trial& trial, const std::vector<std::int32_t>& touched, int most);
+/// The breach of the whole mesh after an edit, found from the slots that it wrote to and the triangles beside them; the
+/// list of them is empty before each edit. `shortest` is that of the triangles looked at. The search is given up, with
+/// a result that is as bad or better, once more than `most` bounds are found broken.
+Breach judgeEdit(Trial& trial, int most);
 
 /// Makes the mesh what it was before the edit.
-void takeBack(Trial& trial, const std::vector<std::int32_t>& touched);
+void takeBack(Trial& trial);
 
 }  // namespace triscope

@@ -73,7 +73,7 @@ std::uint64_t hashOf(const MeshState& state) {
   digest.integers(state.front1);
   digest.integers(state.front2);
   digest.integers(state.frontLoops);
-  digest.word(static_cast<std::uint64_t>(codeOf(state.stage)) << 32 ^ state.round);
+  digest.word(static_cast<std::uint64_t>(infoOf(state.stage).code) << 32 ^ state.round);
   digest.word(state.roundChanges);
   digest.word(static_cast<std::uint64_t>(state.roundsDone) << 32 ^ state.passesDone);
   digest.word(static_cast<std::uint64_t>(state.cursor.begun) << 32 ^

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "core/base/assert.h"
 #include "core/density/quadtree.h"
@@ -17,43 +16,6 @@
 namespace triscope {
 namespace {
 
-constexpr std::array<StageInfo, kStageCount> kStages = {{
-    {Stage::constraints, "constraints", "constraints",
-     "finds what asks for short edges: wishes, curvature, corners, gaps, short input edges", "Figure 1 (a)",
-     runConstraints},
-    {Stage::quadtree, "quadtree", "quadtree",
-     "splits cells until each may hold its constraint's density rank, and balances the tree 2:1", "Figure 1 (b)",
-     runQuadtree},
-    {Stage::density, "density", "density", "spreads the density ranks from the densest cells by an advancing front",
-     "Figure 1 (c), (d)", runDensity},
-    {Stage::boundary, "boundary points", "boundary", "places points on the boundary, one per edge length",
-     "Figure 4 (a)", runBoundary},
-    {Stage::triangulation, "triangulation", "triangulation",
-     "triangulates the boundary points by Bowyer-Watson insertion", "Figure 4 (b)", runTriangulation},
-    {Stage::recovery, "boundary recovery", "recovery",
-     "splits boundary edges that the triangulation lacks, until none is missing", "Figure 4 (b)", runRecovery},
-    {Stage::carve, "carve", "carve", "removes the triangles outside the domain", "Figure 4 (b)", runCarve},
-    {Stage::front1, "first front", "front1", "places the first front of points off the boundary", "Figure 4 (c)",
-     runFront1},
-    {Stage::front2, "second front", "front2", "places the second front of points off the first", "Figure 4 (c)",
-     runFront2},
-    {Stage::step1, "step 1", "step1", "inserts circumcentres where R is not below the edge length at the centre",
-     "Figure 4 (d)", runSteps},
-    {Stage::step2, "step 2", "step2", "inserts circumcentres where R is not below the least edge length at the apexes",
-     "", runSteps},
-    {Stage::step3, "step 3", "step3",
-     "inserts circumcentres where R is not below the shortest edge: angles and edge ratio", "", runSteps},
-    {Stage::step4, "step 4", "step4",
-     "inserts circumcentres where R is not below a neighbour's shortest edge: area ratio", "", runSteps},
-    {Stage::step5, "step 5", "step5",
-     "inserts points over shared edges where the neighbour is too tall: area ratio below 3", "Figure 4 (e)", runSteps},
-    {Stage::repair, "repair", "repair",
-     "mends the triangles that still break a bound, by the best of a few edits around each", "", runRepair},
-    {Stage::refine, "step 6", "refine", "moves points: Laplacian filter, obtuse angles, shared edges", "Figure 4 (f)",
-     runRefine},
-    {Stage::finished, "finished", "finished", "the mesh is done", "Figure 4 (f)", nullptr},
-}};
-
 StageCounts& countsOf(MeshState& state) { return state.counts[static_cast<std::size_t>(state.stage)]; }
 
 void recordStage(MeshState& state, EventKind kind, std::uint64_t subject, Journal& journal) {
@@ -63,22 +25,27 @@ void recordStage(MeshState& state, EventKind kind, std::uint64_t subject, Journa
   journal.record(event);
 }
 
-// Steps 2-5 come round again until a whole round inserts nothing; what repair changes calls for another round.
+Stage beginOfRounds(const Method& method) {
+  const auto first = std::ranges::find_if(method.stages, inRounds);
+  return first == method.stages.end() ? Stage::finished : *first;
+}
+
+// Rounds come again until a whole one inserts nothing; what repair changes calls for another round.
 Stage after(const MeshState& state) {
   if (state.failed) return Stage::finished;
-  const Settings& s = state.settings;
-  const bool again = state.round < s.maxRounds;
-  if (state.stage == Stage::step5 && state.roundChanges > 0 && again) return Stage::step2;
-  if (state.stage == Stage::repair) {
-    if (state.cursor.changes > 0 && again) return Stage::step2;
-    return refines(s) ? Stage::refine : Stage::finished;
+  const StageInfo& info = infoOf(state.stage);
+  const bool again = info.callsForRound != nullptr && info.callsForRound(state);
+  if (again && state.round < state.settings.maxRounds) return beginOfRounds(*state.method);
+  for (const Stage next : state.method->stages) {
+    const auto wanted = infoOf(next).wanted;
+    if (next > state.stage && (wanted == nullptr || wanted(state.settings))) return next;
   }
-  return static_cast<Stage>(static_cast<int>(state.stage) + 1);
+  return Stage::finished;
 }
 
 // Empty where nothing is broken. Boundary edges are known to the mesh once it is carved.
 [[maybe_unused]] std::string brokenAfter(const MeshState& state) {
-  const bool settled = state.stage < Stage::carve || state.failed || state.cursor.changes == 0;
+  const bool settled = !isCarved(after(state)) || state.failed || state.cursor.changes == 0;
   const std::vector<Violation> found = settled ? std::vector<Violation>{} : validate(state.mesh, 1);
   return found.empty() ? "" : fmt::format("after {} {}", infoOf(state.stage).name, found.front().message);
 }
@@ -86,10 +53,13 @@ Stage after(const MeshState& state) {
 void leaveStage(MeshState& state, Journal& journal) {
   TRISCOPE_DCHECK(brokenAfter(state).empty(), brokenAfter(state));
   recordStage(state, EventKind::stage_finished, state.cursor.changes, journal);
-  (state.stage == Stage::refine ? state.passesDone : state.roundsDone) = state.round;
+  if (refinesMesh(state.stage))
+    state.passesDone += state.round;
+  else
+    state.roundsDone = state.round;
   state.stage = after(state);
   state.cursor = {};
-  if (state.stage == Stage::step2) {
+  if (inRounds(state.stage) && state.stage == beginOfRounds(*state.method)) {
     ++state.round;
     state.roundChanges = 0;
   } else if (isPastRounds(state.stage)) {
@@ -132,7 +102,7 @@ Headway moveOn(MeshState& state, Journal& journal) {
   ++state.tick;
   ++countsOf(state).decisions;
   if (outcome == Outcome::decided) {
-    if (state.stage < Stage::front1) ++state.cursor.changes;  // nothing is refused up to there
+    if (!isCarved(state.stage)) ++state.cursor.changes;  // nothing is refused up to there
     return Headway::decided;
   }
   ++countsOf(state).inserted;
@@ -161,10 +131,11 @@ bool complete(Grain grain, Headway last, const MeshState& state, std::uint16_t r
 
 }  // namespace
 
-std::span<const StageInfo> stages() { return kStages; }
-
-Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& settings, const SearchNews& goesOn) {
+Result<MeshState> begin(std::shared_ptr<const Domain> domain, const Settings& settings, const SearchNews& goesOn,
+                        const Method& method) {
   MeshState state;
+  state.method = &method;
+  state.stage = method.stages.front();
   state.settings = settings;
   state.minEdge = settings.minEdge > 0.0 ? settings.minEdge : domain->minEdgeLength;
   if (state.minEdge <= 0.0) {
@@ -208,7 +179,8 @@ bool advanceAPiece(MeshState& state, Journal& journal) {
 }
 
 bool advanceUntil(MeshState& state, Stage stage, std::uint64_t limit, Journal& journal) {
-  const auto reached = [&] { return stage == Stage::step5 ? isPastRounds(state.stage) : state.stage > stage; };
+  const bool rounds = infoOf(stage).callsForRound != nullptr;
+  const auto reached = [&] { return rounds ? isPastRounds(state.stage) : state.stage > stage; };
   for (; limit > 0 && !reached(); --limit) {
     if (moveOn(state, journal) == Headway::over) break;
   }

@@ -1,5 +1,5 @@
 // The kernel is a value: a copy of MeshState is a snapshot that can be carried on, and gives the same bytes as
-// a run that was never stopped. No pointer into itself, no thread, no callback; the domain is shared and const.
+// a run that was never stopped. No pointer into itself, no thread, no callback; domain and method are shared and const.
 #pragma once
 
 #include <array>
@@ -12,6 +12,8 @@
 #include "core/density/quadtree.h"
 #include "core/domain/domain.h"
 #include "core/mesh/mesh.h"
+#include "core/method/method.h"
+#include "core/method/room.h"
 #include "core/words/settings.h"
 #include "core/words/stage.h"
 
@@ -48,6 +50,7 @@ struct BoundaryPoint {
 
 struct MeshState {
   std::shared_ptr<const Domain> domain;
+  const Method* method = &paperMethod();
   Settings settings;
   double minEdge = 0.0;  // Δx in force
   bool minEdgeDerived = false;
@@ -61,17 +64,18 @@ struct MeshState {
   std::vector<std::int32_t> front2;
   std::vector<std::int32_t> frontLoops;  // the first front as closed loops of vertices, each ended by -1
   Stage stage = Stage::constraints;      // the stage that the next decision belongs to
-  std::uint16_t round = 0;               // of steps 2-5, from 1; pass of step 6 while in refine
+  std::uint16_t round = 0;               // of steps 2-5, from 1; pass of a stage that refines
   std::uint64_t roundChanges = 0;        // insertions since this round began
   std::uint16_t roundsDone = 0;          // rounds of steps 2-5 begun and left behind, and …
-  std::uint16_t passesDone = 0;          // … passes of step 6; they stay when `round` begins again
+  std::uint16_t passesDone = 0;          // … passes of the refinement; they stay when `round` begins again
   Cursor cursor;
   std::uint64_t tick = 0;  // decisions made
   std::array<StageCounts, kStageCount> counts{};
   bool failed = false;  // the method could not go on; the state stays to be looked at
+  Room room;
 };
 
-/// 64-bit digest of everything above except the domain and the counts.
+/// 64-bit digest of everything above except the domain, the method, the counts and the room.
 std::uint64_t hashOf(const MeshState& state);
 
 }  // namespace triscope

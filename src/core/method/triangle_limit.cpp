@@ -15,6 +15,7 @@
 #include "core/method/estimate.h"
 #include "core/method/pipeline.h"
 #include "core/method/stages/stage_runs.h"
+#include "core/words/vocabulary.h"
 
 namespace triscope {
 namespace {
@@ -26,17 +27,7 @@ bool classified(const Quadtree& tree) {
 
 std::string nameOf(const Domain& domain, Rule source, std::uint32_t index) {
   if (source == Rule::user_request) return requestName(domain, index);
-  const std::string& loop = loopOf(domain, index).name;
-  switch (source) {
-    case Rule::curvature:
-      return fmt::format("the curvature of loop '{}'", loop);
-    case Rule::corner:
-      return fmt::format("the corners of loop '{}'", loop);
-    case Rule::gap:
-      return fmt::format("the gaps beside loop '{}'", loop);
-    default:
-      return fmt::format("the short edges of loop '{}'", loop);
-  }
+  return fmt::format(fmt::runtime(wordsOf(source).demand), loopOf(domain, index).name);
 }
 
 /// Wishes with one name, and the triangles in the leaves that they are the finest in.
@@ -48,13 +39,10 @@ struct Group {
   Point at;
 };
 
-constexpr std::size_t kSources = 4;  // of the geometry: curvature to short_edge
-
 std::size_t groupOf(const Domain& domain, const Constraint& constraint) {
   if (constraint.source == Rule::user_request) return constraint.curve;
   const auto loop = static_cast<std::size_t>(&loopOf(domain, constraint.curve) - domain.loops.data());
-  return domain.density.size() + loop * kSources + static_cast<std::size_t>(constraint.source) -
-         static_cast<std::size_t>(Rule::curvature);
+  return domain.density.size() + loop * kRuleCount + static_cast<std::size_t>(constraint.source);
 }
 
 /// Whether the density of an input asks for no more than its limit.
@@ -128,7 +116,7 @@ Asker askerOf(const MeshState& state) {
   const bool types = classified(state.tree);
   const Quadtree& tree = state.tree;
   std::vector<std::uint8_t> ranks = forecastOf(tree, domain, state.settings, state.minEdge);
-  const std::size_t byRank = domain.density.size() + domain.loops.size() * kSources;
+  const std::size_t byRank = domain.density.size() + domain.loops.size() * kRuleCount;
   std::vector<Group> groups(byRank + 1);
   groups[byRank].at = midpoint(domain.bounds.lo, domain.bounds.hi);
   constexpr std::size_t kNobody = ~std::size_t{0};
@@ -168,18 +156,11 @@ Asker askerOf(const MeshState& state) {
 std::string adviceFor(const Asker& asker, std::optional<double> length) {
   constexpr std::string_view kOr = "or raise max_triangles";
   if (!length) return fmt::format("simplify the domain, {}", kOr);
-  switch (asker.source) {
-    case Rule::user_request:
-      return fmt::format("ask for edges of {} or longer there, {}", compact(*length), kOr);
-    case Rule::curvature:
-      return fmt::format("give a min_edge_length of {} or more, or a larger curvature_turn, {}", compact(*length), kOr);
-    case Rule::gap:
-      return fmt::format("give a min_edge_length of {} or more, or a larger gap_fraction, {}", compact(*length), kOr);
-    case Rule::none:
-      return fmt::format("give a min_edge_length of {} or more, or a larger max_rank, {}", compact(*length), kOr);
-    default:
-      return fmt::format("give a min_edge_length of {} or more, {}", compact(*length), kOr);
-  }
+  if (asker.source == Rule::user_request)
+    return fmt::format("ask for edges of {} or longer there, {}", compact(*length), kOr);
+  const std::string_view eased = asker.source == Rule::none ? "max_rank" : wordsOf(asker.source).eased;
+  return fmt::format("give a min_edge_length of {} or more, {}{}", compact(*length),
+                     eased.empty() ? "" : fmt::format("or a larger {}, ", eased), kOr);
 }
 
 Error tooManyTriangles(const MeshState& state) {

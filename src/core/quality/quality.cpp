@@ -21,17 +21,17 @@ double angleAt(Point apex, Point a, Point b) {
 }
 
 /// The worst value seen and where; equal values go to the lowest id, whatever the order of the slots.
-struct Worst {
+struct WorstFigure {
   double value = 0.0;
   std::uint32_t id = 0;
   std::int32_t slot = -1;
   std::int32_t other = -1;
 
-  void take(bool worse, const Worst& candidate) {
+  void take(bool worse, const WorstFigure& candidate) {
     if (slot == -1 || worse || (candidate.value == value && candidate.id < id)) *this = candidate;
   }
-  void takeLargest(const Worst& candidate) { take(candidate.value > value, candidate); }
-  void takeSmallest(const Worst& candidate) { take(candidate.value < value, candidate); }
+  void takeLargest(const WorstFigure& candidate) { take(candidate.value > value, candidate); }
+  void takeSmallest(const WorstFigure& candidate) { take(candidate.value < value, candidate); }
 };
 
 /// A running sum that keeps what each addition rounds away.
@@ -46,14 +46,14 @@ struct Sum {
   [[nodiscard]] double result() const { return total + lost; }
 };
 
-struct Side {
+struct TriangleSide {
   double squared;
   Point opposite;
 };
 
 // All but the angles. Sides shortest first: the first corner lies opposite the shortest edge, the last opposite the
 // longest.
-TriangleQuality withoutAngles(Point a, Point b, Point c, Side (&sides)[3]) {
+TriangleQuality withoutAngles(Point a, Point b, Point c, TriangleSide (&sides)[3]) {
   sides[0] = {squaredDistance(b, c), a};
   sides[1] = {squaredDistance(c, a), b};
   sides[2] = {squaredDistance(a, b), c};
@@ -78,10 +78,12 @@ TriangleQuality withoutAngles(Point a, Point b, Point c, Side (&sides)[3]) {
   return q;
 }
 
-double smallestAngle(const Side (&sides)[3]) {
+double smallestAngle(const TriangleSide (&sides)[3]) {
   return angleAt(sides[0].opposite, sides[1].opposite, sides[2].opposite);
 }
-double largestAngle(const Side (&sides)[3]) { return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite); }
+double largestAngle(const TriangleSide (&sides)[3]) {
+  return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite);
+}
 
 // Cosine of the angle between two sides, by their squares and that of the third: to see which angles are worth an arc
 // tangent. Not a number, as anything compared with it is false, for a side without length.
@@ -93,7 +95,7 @@ constexpr double kClearly = 1e-9;  // cosines this far apart are those of differ
 }  // namespace
 
 TriangleQuality qualityOf(Point a, Point b, Point c) {
-  Side sides[3];
+  TriangleSide sides[3];
   TriangleQuality q = withoutAngles(a, b, c, sides);
   q.minAngle = smallestAngle(sides);
   q.maxAngle = largestAngle(sides);
@@ -102,7 +104,7 @@ TriangleQuality qualityOf(Point a, Point b, Point c) {
 
 Quality measure(const Mesh& mesh) {
   Quality q;
-  Worst aspect, areaRatio, edgeRatio, minAngle, maxAngle, minEdge;
+  WorstFigure aspect, areaRatio, edgeRatio, minAngle, maxAngle, minEdge;
   Sum area, aspects;
   double smallest = -1.0, largest = 1.0;  // cosines of the smallest and of the largest angle so far
   std::vector<char> used(mesh.points.size(), 0);
@@ -114,7 +116,7 @@ Quality measure(const Mesh& mesh) {
     if (!mesh.alive(slot) || touchesHelper(mesh, slot)) continue;
     const auto& v = mesh.triangles[index].v;
     for (const std::int32_t corner : v) used[at(corner)] = 1;
-    Side sides[3];
+    TriangleSide sides[3];
     const TriangleQuality t = withoutAngles(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])], sides);
     const double ofSmallest = roughCosine(sides[1].squared, sides[2].squared, sides[0].squared);
     const double ofLargest = roughCosine(sides[0].squared, sides[1].squared, sides[2].squared);

@@ -24,7 +24,7 @@ bool Watch::step(MeshState& state, std::span<const Breakpoint> breakpoints, std:
     before_ += events_.size();
     events_.clear();
   }
-  ChangeLog changes;
+  const ChangeLog changes(state.mesh);
   const std::size_t points = state.mesh.points.size();
   const std::uint64_t tick = state.tick;
   Journal journal{&events_};
@@ -33,9 +33,9 @@ bool Watch::step(MeshState& state, std::span<const Breakpoint> breakpoints, std:
   if (working_) return true;
   // What follows the last decision has events but no tick: the end of the last stage, or the failure of one.
   if (!more || events_.empty()) return false;
-  quality_.update(state.mesh, changes.slots);
+  quality_.update(state.mesh, changes.slots());
   sinceInsertion_ = state.mesh.points.size() > points ? 0 : sinceInsertion_ + 1;
-  const std::uint8_t broken = brokenRules(state, changes.slots, events_, shortest_);
+  const std::uint8_t broken = brokenRules(state, changes.slots(), events_, shortest_);
   for (std::size_t k = 0; k < breakpoints.size(); ++k) {
     if (!breakpoints[k].enabled) continue;
     const Condition& condition = breakpoints[k].condition;

@@ -15,7 +15,7 @@ bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == st
 
 bool sameBits(Point a, Point b) { return sameBits(a.x, b.x) && sameBits(a.y, b.y); }
 
-bool tellsFrom(const Event& e) { return e.kind == EventKind::vertex_moved || e.kind == EventKind::vertex_kept; }
+bool tellsFrom(const Event& e) { return wordsOf(e.kind).from; }
 
 }  // namespace
 

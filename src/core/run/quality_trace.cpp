@@ -30,19 +30,19 @@ bool QualityTrace::carryOn(const History& history, std::uint64_t end, const std:
     replay_->quality.reset(replay_->state.mesh);
   }
   MeshState& state = replay_->state;
-  ChangeLog changes;
+  ChangeLog changes(state.mesh);
   Journal deaf;
   while (state.tick < end) {
     const std::uint64_t next = std::min(end, samples_.empty() ? stride_ : samples_.back().tick + stride_);
     if (state.tick >= next || !advanceAPiece(state, deaf)) break;
     if (state.tick >= next) {
-      replay_->quality.update(state.mesh, changes.slots);
-      changes.slots.clear();
+      replay_->quality.update(state.mesh, changes.slots());
+      changes.clear();
       sample(*replay_);
     }
     if (state.tick % kBetweenLooks == 0 && enough()) break;
   }
-  replay_->quality.update(state.mesh, changes.slots);
+  replay_->quality.update(state.mesh, changes.slots());
   return state.tick < end;
 }
 

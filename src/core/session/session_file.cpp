@@ -67,9 +67,11 @@ std::string settingsText(const Settings& settings) {
   std::string text;
   for (const SettingInfo& info : settingTable()) {
     const double value = settingValue(settings, info);
-    const bool flag = std::holds_alternative<bool Settings::*>(info.member);
+    const SettingKind kind = info.member.kind;
     text += fmt::format("{}\n    {}: {}", text.empty() ? "" : ",", jsonText(info.key),
-                        flag ? (value != 0.0 ? "true" : "false") : jsonNumber(value));
+                        kind == SettingKind::on_off  ? (value != 0.0 ? "true" : "false")
+                        : kind == SettingKind::named ? jsonText(valueName(info, value))
+                                                     : jsonNumber(value));
   }
   return "{" + text + "\n  }";
 }
@@ -165,9 +167,13 @@ void readSettings(Members& root, Settings& settings) {
                                "the session may come from a newer version; 'triscope settings' lists the settings"));
     const bool* const flag = std::get_if<bool>(&member.value.data);
     const double* const number = member.value.number();
-    if (flag == nullptr && number == nullptr)
-      return root.complain("settings." + member.key, member.value.typeName(), "a number, true or false");
-    const Status status = setSetting(settings, *info, flag != nullptr ? (*flag ? 1.0 : 0.0) : *number);
+    const std::string* const name = info->member.kind == SettingKind::named ? member.value.text() : nullptr;
+    if (flag == nullptr && number == nullptr && name == nullptr)
+      return root.complain("settings." + member.key, member.value.typeName(),
+                           info->member.kind == SettingKind::named ? rangeText(*info) : "a number, true or false");
+    const Status status = name != nullptr   ? setSetting(settings, *info, *name)
+                          : flag != nullptr ? setSetting(settings, *info, *flag ? 1.0 : 0.0)
+                                            : setSetting(settings, *info, *number);
     if (!status.ok()) return root.refuse(wrong(status.error().message, status.error().hint));
   }
 }
@@ -343,7 +349,7 @@ std::vector<StageHash> stageHashes(MeshState state, std::uint64_t limit, std::si
     if (beat % kBeatsPerPulse == 0 && pulse && !pulse(state)) break;
     const Stage stage = state.stage;
     const std::uint16_t round = state.round;
-    advanceUntil(state, Stage::refine, 1, nobody);
+    advanceUntil(state, state.method->stages.back(), 1, nobody);
     if (state.tick > limit) break;
     if (state.stage != stage) hashes.push_back({stage, round, state.tick, hashOf(state)});
   }

@@ -14,7 +14,7 @@ double fractionDone(const MeshState& s) {
   if (s.stage == Stage::finished) return 1.0;
   if (s.stage == Stage::constraints && s.domain)
     return s.cursor.begun ? kSearch * fractionOf(s.search, *s.domain) : 0.0;
-  if (s.stage == Stage::refine) {
+  if (refinesMesh(s.stage)) {
     const double passes = std::max(1, s.settings.refinePasses);
     return kInsertions + (1.0 - kInsertions) * std::min(1.0, static_cast<double>(s.round) / passes);
   }

@@ -79,7 +79,7 @@ struct Event {
   Stage stage = Stage::constraints;
   Rule rule = Rule::none;
   Refusal refusal = Refusal::none;
-  std::uint16_t round = 0;         // of steps 2-5, or pass of step 6
+  std::uint16_t round = 0;         // of steps 2-5, or pass of a stage that refines
   std::uint16_t removedCount = 0;  // triangles that the decision destroyed
   std::uint32_t subject = kNoId;
   std::uint32_t other = kNoId;

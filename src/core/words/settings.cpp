@@ -17,47 +17,52 @@ namespace {
 constexpr double kLongest = 1e300;      // any finite length
 constexpr double kMostTriangles = 5e8;  // half-edges and ids are counted in 32 bits
 
+constexpr std::array kOnOff{NamedValue{"on", 1.0}, NamedValue{"off", 0.0}};
+
 constexpr std::array kTable{
-    SettingInfo{"min_edge_length", "Δx", "smallest edge", "length", &Settings::minEdge, 0.0, kLongest, 0.0, 0.0,
-                Stage::constraints,
-                "No edge is meant to be shorter; 0 takes the domain file's, or derives it from the geometry."},
-    SettingInfo{"curvature_turn", "", "turn of one edge on a curve", "deg", &Settings::curvatureTurn, 1.0, 120.0, 0.0,
-                0.0, Stage::constraints, "An edge on a curved boundary may span at most this much turning."},
-    SettingInfo{
-        "corner_turn", "", "turn that makes a corner extreme", "deg", &Settings::cornerTurn, 0.0, 180.0, 0.0, 0.0,
-        Stage::constraints,
-        "Where the boundary turns into the domain by more than this at a kept point, density has an extreme point."},
-    SettingInfo{"gap_fraction", "", "edge length across a gap", "gap width", &Settings::gapFraction, 0.01, 10.0, 0.0,
+    SettingInfo{"min_edge_length", "Δx", "smallest edge", "length", memberOf<&Settings::minEdge>(), 0.0, kLongest, 0.0,
                 0.0, Stage::constraints,
+                "No edge is meant to be shorter; 0 takes the domain file's, or derives it from the geometry."},
+    SettingInfo{"curvature_turn", "", "turn of one edge on a curve", "deg", memberOf<&Settings::curvatureTurn>(), 1.0,
+                120.0, 0.0, 0.0, Stage::constraints,
+                "An edge on a curved boundary may span at most this much turning."},
+    SettingInfo{
+        "corner_turn", "", "turn that makes a corner extreme", "deg", memberOf<&Settings::cornerTurn>(), 0.0, 180.0,
+        0.0, 0.0, Stage::constraints,
+        "Where the boundary turns into the domain by more than this at a kept point, density has an extreme point."},
+    SettingInfo{"gap_fraction", "", "edge length across a gap", "gap width", memberOf<&Settings::gapFraction>(), 0.01,
+                10.0, 0.0, 0.0, Stage::constraints,
                 "Where two boundary pieces face each other, edges are this fraction of the distance between them."},
-    SettingInfo{"max_rank", "i", "coarsest density rank", "rank", &Settings::maxRank, 1.0, 96.0, 0.0, 0.0,
+    SettingInfo{"max_rank", "i", "coarsest density rank", "rank", memberOf<&Settings::maxRank>(), 1.0, 96.0, 0.0, 0.0,
                 Stage::constraints, "No cell is given a density rank above this, so no edge grows beyond its length."},
-    SettingInfo{"max_triangles", "", "most triangles", "triangles", &Settings::maxTriangles, 1.0, kMostTriangles, 0.0,
-                0.0, Stage::quadtree,
+    SettingInfo{"max_triangles", "", "most triangles", "triangles", memberOf<&Settings::maxTriangles>(), 1.0,
+                kMostTriangles, 0.0, 0.0, Stage::quadtree,
                 "The run stops before it makes a mesh that Table 1 estimates to have more triangles than this."},
-    SettingInfo{"max_rounds", "", "budget of rounds", "rounds", &Settings::maxRounds, 1.0, 10000.0, 0.0, 0.0,
-                Stage::step2, "Steps 2 to 5 stop after this many rounds even if the last one inserted a point."},
-    SettingInfo{"step4_area_ratio", "", "step 4: area ratio it acts on", "ratio", &Settings::step4AreaRatio, 0.0, 3.0,
-                0.0, 0.0, Stage::step1,
+    SettingInfo{"max_rounds", "", "budget of rounds", "rounds", memberOf<&Settings::maxRounds>(), 1.0, 10000.0, 0.0,
+                0.0, Stage::step2, "Steps 2 to 5 stop after this many rounds even if the last one inserted a point."},
+    SettingInfo{"step4_area_ratio", "", "step 4: area ratio it acts on", "ratio", memberOf<&Settings::step4AreaRatio>(),
+                0.0, 3.0, 0.0, 0.0, Stage::step1,
                 "Step 4 leaves a pair alone whose area ratio is below this; 0 takes every pair, as in the paper."},
     SettingInfo{
-        "omega", "ω", "Laplacian filter", "", &Settings::omega, 0.0, 1.0, 0.05, 0.25, Stage::refine,
+        "omega", "ω", "Laplacian filter", "", memberOf<&Settings::omega>(), 0.0, 1.0, 0.05, 0.25, Stage::refine,
         "Part of the way toward the mean of its neighbours that the Laplacian filter moves a vertex, 24 times over."},
-    SettingInfo{"theta", "θ", "turn of an obtuse angle's sides", "deg", &Settings::theta, 0.0, 30.0, 5.0, 10.0,
-                Stage::refine, "Both sides of an obtuse angle are rotated toward each other by this angle."},
-    SettingInfo{"laplacian", "", "step 6: Laplacian filter", "on/off", &Settings::laplacian, 0.0, 1.0, 0.0, 0.0,
-                Stage::refine, "Step 6 moves vertices toward the mean of their neighbours."},
-    SettingInfo{"reduce_obtuse", "", "step 6: reduce obtuse angles", "on/off", &Settings::reduceObtuse, 0.0, 1.0, 0.0,
-                0.0, Stage::refine, "Step 6 closes obtuse angles by rotating their sides."},
-    SettingInfo{"shared_edge", "", "step 6: move shared edges", "on/off", &Settings::sharedEdge, 0.0, 1.0, 0.0, 0.0,
-                Stage::refine,
+    SettingInfo{"theta", "θ", "turn of an obtuse angle's sides", "deg", memberOf<&Settings::theta>(), 0.0, 30.0, 5.0,
+                10.0, Stage::refine, "Both sides of an obtuse angle are rotated toward each other by this angle."},
+    SettingInfo{"laplacian", "", "step 6: Laplacian filter", "on/off", memberOf<&Settings::laplacian>(), 0.0, 1.0, 0.0,
+                0.0, Stage::refine, "Step 6 moves vertices toward the mean of their neighbours.", kOnOff},
+    SettingInfo{"reduce_obtuse", "", "step 6: reduce obtuse angles", "on/off", memberOf<&Settings::reduceObtuse>(), 0.0,
+                1.0, 0.0, 0.0, Stage::refine, "Step 6 closes obtuse angles by rotating their sides.", kOnOff},
+    SettingInfo{"shared_edge", "", "step 6: move shared edges", "on/off", memberOf<&Settings::sharedEdge>(), 0.0, 1.0,
+                0.0, 0.0, Stage::refine,
                 "Step 6 moves the edge between two unequal triangles by a tenth of the height "
-                "into the larger one."},
-    SettingInfo{"polish", "", "step 6: polish the worst", "on/off", &Settings::polish, 0.0, 1.0, 0.0, 0.0,
+                "into the larger one.",
+                kOnOff},
+    SettingInfo{"polish", "", "step 6: polish the worst", "on/off", memberOf<&Settings::polish>(), 0.0, 1.0, 0.0, 0.0,
                 Stage::refine,
-                "Step 6 ends by trying places around the vertices of the worst and the obtuse triangles."},
-    SettingInfo{"refine_passes", "", "budget of passes of step 6", "passes", &Settings::refinePasses, 0.0, 10000.0, 0.0,
-                0.0, Stage::refine, "Step 6 stops after this many passes even if the last one moved a vertex."},
+                "Step 6 ends by trying places around the vertices of the worst and the obtuse triangles.", kOnOff},
+    SettingInfo{"refine_passes", "", "budget of passes of step 6", "passes", memberOf<&Settings::refinePasses>(), 0.0,
+                10000.0, 0.0, 0.0, Stage::refine,
+                "Step 6 stops after this many passes even if the last one moved a vertex."},
 };
 
 std::string keys() {
@@ -69,21 +74,11 @@ std::string keys() {
   return list;
 }
 
-/// "0.05 to 1", "at least 0", "on or off".
-std::string range(const SettingInfo& info) {
-  if (std::holds_alternative<bool Settings::*>(info.member)) return "on or off";
-  if (info.highest >= kLongest) return fmt::format("at least {:g}", info.lowest);
-  return fmt::format("from {:.9g} to {:.9g}", info.lowest, info.highest);
-}
-
 Error refused(const SettingInfo& info, std::string message) {
-  const double standard = settingValue(Settings{}, info);
-  const std::string text = std::holds_alternative<bool Settings::*>(info.member)
-                               ? std::string(standard != 0.0 ? "on" : "off")
-                               : fmt::format("{:.9g}", standard);
-  return Error{.kind = ErrorKind::usage,
-               .message = std::move(message),
-               .hint = fmt::format("give {} (default {})", range(info), text)};
+  return Error{
+      .kind = ErrorKind::usage,
+      .message = std::move(message),
+      .hint = fmt::format("give {} (default {})", rangeText(info), valueText(info, settingValue(Settings{}, info)))};
 }
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -94,12 +89,20 @@ std::optional<double> parseNumber(std::string_view text) {
   return value;
 }
 
-std::optional<double> parseSwitch(std::string_view text) {
-  for (const std::string_view word : {"1", "true", "on", "yes"})
+/// A switch also goes by words that other programs have for it.
+std::optional<double> parseName(const SettingInfo& info, std::string_view text) {
+  for (const NamedValue& named : info.names)
+    if (text == named.name) return named.value;
+  if (info.member.kind != SettingKind::on_off) return std::nullopt;
+  for (const std::string_view word : {"1", "true", "yes"})
     if (text == word) return 1.0;
-  for (const std::string_view word : {"0", "false", "off", "no"})
+  for (const std::string_view word : {"0", "false", "no"})
     if (text == word) return 0.0;
   return std::nullopt;
+}
+
+std::string_view nounOf(SettingKind kind) {
+  return kind == SettingKind::on_off ? "switch" : kind == SettingKind::named ? "value" : "number";
 }
 
 }  // namespace
@@ -116,16 +119,12 @@ bool refines(const Settings& settings) {
   return settings.laplacian || settings.reduceObtuse || settings.sharedEdge || settings.polish;
 }
 
-Stage firstAffected(const Settings& a, const Settings& b) {
-  Stage first = Stage::finished;
-  for (const SettingInfo& info : settingTable())
-    if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
-  // Whether step 6 is entered at all is decided when the stage before it ends.
-  return first == Stage::refine && refines(a) != refines(b) ? Stage::repair : first;
-}
+double settingValue(const Settings& settings, const SettingInfo& info) { return info.member.read(settings); }
 
-double settingValue(const Settings& settings, const SettingInfo& info) {
-  return std::visit([&](const auto member) { return static_cast<double>(settings.*member); }, info.member);
+std::string_view valueName(const SettingInfo& info, double value) {
+  for (const NamedValue& named : info.names)
+    if (named.value == value) return named.name;
+  return {};
 }
 
 bool outsidePaper(const SettingInfo& info, double value) {
@@ -134,35 +133,48 @@ bool outsidePaper(const SettingInfo& info, double value) {
 
 std::string_view settingName(const SettingInfo& info) { return info.symbol.empty() ? info.label : info.symbol; }
 
+std::string valueText(const SettingInfo& info, double value) {
+  return isNamed(info) ? std::string(valueName(info, value)) : fmt::format("{}", value);
+}
+
 std::string settingText(const SettingInfo& info, double value) {
-  if (std::holds_alternative<bool Settings::*>(info.member)) return value != 0.0 ? "on" : "off";
+  if (isNamed(info)) return std::string(valueName(info, value));
   if (info.unit == "length" && value == 0.0) return "auto";
   return compact(value, 4) + (info.unit == "deg" ? "°" : "");
 }
 
+std::string rangeText(const SettingInfo& info) {
+  std::string text;
+  for (std::size_t k = 0; k < info.names.size(); ++k) {
+    if (k > 0) text += k + 1 == info.names.size() ? " or " : ", ";
+    text += info.names[k].name;
+  }
+  if (isNamed(info)) return text;
+  if (info.highest >= kLongest) return fmt::format("at least {:g}", info.lowest);
+  return fmt::format("from {:.9g} to {:.9g}", info.lowest, info.highest);
+}
+
 Status setSetting(Settings& settings, std::string_view key, std::string_view value) {
-  const SettingInfo* const info = findSetting(key);
-  if (info == nullptr)
-    return Error{.kind = ErrorKind::usage,
-                 .message = fmt::format("there is no setting '{}'", shown(key)),
-                 .hint = fmt::format("the settings are {}", keys())};
-  const bool isSwitch = std::holds_alternative<bool Settings::*>(info->member);
-  const std::optional<double> number = isSwitch ? parseSwitch(value) : parseNumber(value);
-  if (!number)
-    return refused(
-        *info, fmt::format("'{}' is no {} for the setting '{}'", shown(value), isSwitch ? "switch" : "number", key));
-  return setSetting(settings, *info, *number);
+  if (const SettingInfo* const info = findSetting(key)) return setSetting(settings, *info, value);
+  return Error{.kind = ErrorKind::usage,
+               .message = fmt::format("there is no setting '{}'", shown(key)),
+               .hint = fmt::format("the settings are {}", keys())};
+}
+
+Status setSetting(Settings& settings, const SettingInfo& info, std::string_view value) {
+  const std::optional<double> number = isNamed(info) ? parseName(info, value) : parseNumber(value);
+  if (number) return setSetting(settings, info, *number);
+  return refused(info,
+                 fmt::format("'{}' is no {} for the setting '{}'", shown(value), nounOf(info.member.kind), info.key));
 }
 
 Status setSetting(Settings& settings, const SettingInfo& info, double value) {
-  const bool inRange = value >= info.lowest && value <= info.highest;  // NaN is not
+  const bool inRange =
+      isNamed(info) ? !valueName(info, value).empty() : value >= info.lowest && value <= info.highest;  // NaN is not
   if (!inRange) return refused(info, fmt::format("{:g} is out of range for the setting '{}'", value, info.key));
-  if (!std::holds_alternative<double Settings::*>(info.member) && value != std::floor(value))
+  if (info.member.kind != SettingKind::real && value != std::floor(value))
     return refused(info, fmt::format("the setting '{}' takes whole numbers, not {:g}", info.key, value));
-  if (const auto* const real = std::get_if<double Settings::*>(&info.member)) settings.*(*real) = value;
-  if (const auto* const whole = std::get_if<int Settings::*>(&info.member))
-    settings.*(*whole) = static_cast<int>(value);
-  if (const auto* const flag = std::get_if<bool Settings::*>(&info.member)) settings.*(*flag) = value != 0.0;
+  info.member.write(settings, value);
   return success();
 }
 

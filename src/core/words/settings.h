@@ -1,10 +1,12 @@
 // Every parameter of a run, and the one table that the window, the command line and the docs print.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
+#include <type_traits>
+#include <utility>
 
 #include "core/base/result.h"
 #include "core/words/stage.h"
@@ -30,7 +32,39 @@ struct Settings {
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
-using SettingMember = std::variant<double Settings::*, int Settings::*, bool Settings::*>;
+enum class SettingKind : std::uint8_t { real, whole, on_off, named };
+
+/// How a member of Settings is read and written as a number: a switch is 0 or 1, a named value its number in the enum.
+struct SettingMember {
+  SettingKind kind;
+  double (*read)(const Settings&);
+  void (*write)(Settings&, double);
+};
+
+/// That of a double, an int, a bool or an enum.
+template <auto member>
+constexpr SettingMember memberOf() {
+  using Value = std::remove_cvref_t<decltype(std::declval<Settings&>().*member)>;
+  return {std::is_enum_v<Value>         ? SettingKind::named
+          : std::is_same_v<Value, bool> ? SettingKind::on_off
+          : std::is_same_v<Value, int>  ? SettingKind::whole
+                                        : SettingKind::real,
+          [](const Settings& settings) { return static_cast<double>(settings.*member); },
+          [](Settings& settings, double value) {
+            if constexpr (std::is_same_v<Value, bool>)
+              settings.*member = value != 0.0;
+            else if constexpr (std::is_enum_v<Value>)
+              settings.*member = static_cast<Value>(static_cast<int>(value));
+            else
+              settings.*member = static_cast<Value>(value);
+          }};
+}
+
+/// A value that people call by its name.
+struct NamedValue {
+  std::string_view name;
+  double value;
+};
 
 struct SettingInfo {
   std::string_view key;     // as in --set key=value and in files
@@ -42,25 +76,33 @@ struct SettingInfo {
   double highest;
   double paperLow;  // outside [paperLow, paperHigh] is a warning; equal: the paper gives no range
   double paperHigh;
-  Stage firstStage;       // a change cannot matter before this stage
-  std::string_view help;  // one sentence
+  Stage firstStage;                     // a change cannot matter before this stage
+  std::string_view help;                // one sentence
+  std::span<const NamedValue> names{};  // all that there are of a switch or a named value, as they are offered
 };
 
 std::span<const SettingInfo> settingTable();
 const SettingInfo* findSetting(std::string_view key);
 /// Whether step 6 has anything to do.
 bool refines(const Settings& settings);
-/// First stage that the difference between two settings can matter to; `finished` when they are the same.
-Stage firstAffected(const Settings& a, const Settings& b);
 double settingValue(const Settings& settings, const SettingInfo& info);
 /// Whether the paper gives a range for it that the value is not in.
 bool outsidePaper(const SettingInfo& info, double value);
 /// What people know it by: the paper's symbol, or its label where the paper has none.
 std::string_view settingName(const SettingInfo& info);
+/// The name of a value, where values have names.
+std::string_view valueName(const SettingInfo& info, double value);
+/// Whether its values have names, and are chosen from a list.
+inline bool isNamed(const SettingInfo& info) { return !info.names.empty(); }
+/// A value as the command line takes it: "0.15", "on".
+std::string valueText(const SettingInfo& info, double value);
 /// A value as people read it: "0.15", "7.5°", "on", "auto" for a Δx that is not given.
 std::string settingText(const SettingInfo& info, double value);
-/// Sets one value given as text ("0.15", "true", "off"). Errors name the key, the range and the default.
+/// What may be given: "from 0.05 to 1", "at least 0", "on or off".
+std::string rangeText(const SettingInfo& info);
+/// Sets one value given as text ("0.15", "true", "off"). Errors name the key, what may be given and the default.
 Status setSetting(Settings& settings, std::string_view key, std::string_view value);
+Status setSetting(Settings& settings, const SettingInfo& info, std::string_view value);
 /// Sets one value given as a number (bools: 0 or 1); refuses what is out of range.
 Status setSetting(Settings& settings, const SettingInfo& info, double value);
 

@@ -1,8 +1,7 @@
-// The stages of the method in the order they run. The table with what each does is in pipeline.h.
+// The stages of the method in the order they run. Their rows, and which of them a method is made of, are in
+// core/method/method.h.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 namespace triscope {
@@ -27,22 +26,6 @@ enum class Stage : std::uint8_t {
   finished,
 };
 
-/// Whether a stage belongs to the rounds, each of which goes through all of them again.
-constexpr bool inRounds(Stage stage) { return stage >= Stage::step2 && stage <= Stage::repair; }
-
-/// Whether a stage makes the density: it comes before the first triangle.
-constexpr bool makesDensity(Stage stage) { return stage <= Stage::density; }
-/// Whether the mesh is that of the domain by then, nothing outside it being left.
-constexpr bool isCarved(Stage stage) { return stage > Stage::carve; }
-/// Whether the rounds are over by then, and with them what steps 1-5 promise.
-constexpr bool isPastRounds(Stage stage) { return stage > Stage::repair; }
-
 inline constexpr int kStageCount = static_cast<int>(Stage::finished) + 1;
-
-/// What a stage is called in the hash of a state. It stays, whatever stages come between: a new one gets a new number.
-constexpr std::uint8_t codeOf(Stage stage) {
-  constexpr std::array<std::uint8_t, kStageCount> kCodes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
-  return kCodes[static_cast<std::size_t>(stage)];
-}
 
 }  // namespace triscope

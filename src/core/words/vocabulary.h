@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "core/words/event.h"
+#include "core/words/links.h"
 
 namespace triscope {
 
@@ -22,28 +24,28 @@ enum class Names : std::uint8_t {
   boundary_point,
   changes,
 };
+inline constexpr int kNamesCount = static_cast<int>(Names::changes) + 1;
+
+/// What a number is called in event files; empty where it is never such.
+struct NamesWords {
+  std::string_view key = {};              // as Event::subject
+  std::string_view other = {};            // as Event::other
+  std::string_view created = {};          // as Event::created
+  std::optional<Ref::Kind> element = {};  // whose id it is, where it is that of an element people can point at
+};
 
 /// What a decision is drawn as.
 enum class Picture : std::uint8_t { none, place, cell, insertion, refusal, move, removal, carved, failure };
 
 /// What a decision does, bit by bit.
 enum Does : std::uint8_t {
-  kInserts = 1,   // a point
-  kMoves = 2,     // a vertex
-  kRemoves = 4,   // a vertex or a triangle
-  kSplits = 8,    // a cell or a boundary edge
-  kProposes = 16  // carries out or refuses what a rule proposed for a triangle, or for one of its corners
-};
-
-struct KindWords {
-  std::string_view name = {};      // "vertex inserted"
-  Names subject = Names::nothing;  // Event::subject
-  Names other = Names::nothing;    // Event::other, where the rule does not say
-  Names created = Names::nothing;  // Event::created and those after it
-  int does = 0;                    // bits of Does
-  bool placed = false;             // Event::at is where the decision was made
-  Picture picture = Picture::none;
-  std::string_view caption = {};  // a template: fields.h
+  kInserts = 1,    // a point
+  kMoves = 2,      // a vertex
+  kRemoves = 4,    // a vertex or a triangle
+  kSplits = 8,     // a cell or a boundary edge
+  kProposes = 16,  // carries out or refuses what a rule proposed for a triangle, or for one of its corners
+  kRefuses = 32,   // what was proposed, which then changes nothing
+  kBounds = 64     // the stage: begins or ends it
 };
 
 /// Where a rule stands in the method.
@@ -59,7 +61,23 @@ struct RuleWords {
   std::string_view inserted = {};  // caption of a point that it put in, a template
   std::string_view refused = {};   // caption of one that was refused, a template
   std::string_view silent = {};    // what was true of a triangle that it had a look at and proposed nothing for
+  Stage stage = Stage::finished;   // where it has a look at every triangle, if `silent` says so
   bool ofVertices = false;         // proposes for vertices, not for triangles
+  std::string_view demand = {};    // of a source in the geometry: what of a loop asks for the edges; {} is its name
+  std::string_view eased = {};     // the setting that, made larger, lets the source ask for fewer triangles
+};
+
+struct KindWords {
+  std::string_view name = {};      // "vertex inserted"
+  Names subject = Names::nothing;  // Event::subject
+  Names other = Names::nothing;    // Event::other, where the rule does not say
+  Names created = Names::nothing;  // Event::created and those after it
+  int does = 0;                    // bits of Does
+  bool placed = false;             // Event::at is where the decision was made
+  bool from = false;               // Event::from is where the vertex was
+  Picture picture = Picture::none;
+  std::string_view caption = {};                          // a template: fields.h
+  std::string_view RuleWords::* captionOfRule = nullptr;  // the rule's own, where it has one
 };
 
 struct RefusalWords {
@@ -68,6 +86,7 @@ struct RefusalWords {
   std::string_view figures = {};      // what it was held against, a template
 };
 
+const NamesWords& wordsOf(Names names);
 const KindWords& wordsOf(EventKind kind);
 const RuleWords& wordsOf(Rule rule);
 const RefusalWords& wordsOf(Refusal refusal);

@@ -14,12 +14,12 @@ namespace {
 bool isLength(const SettingInfo& info) { return info.unit == "length"; }
 
 /// Range for a control: lengths are bound to the domain, since theirs is open.
-struct Span {
+struct ControlRange {
   double low;
   double high;
 };
 
-Span spanOf(const SettingInfo& info, const MeshState* state) {
+ControlRange spanOf(const SettingInfo& info, const MeshState* state) {
   if (!isLength(info) || state == nullptr) return {info.lowest, std::min(info.highest, 1e9)};
   const Box& box = state->domain->bounds;
   const double extent = std::max(box.width(), box.height());
@@ -35,8 +35,8 @@ std::string labelOf(const SettingInfo& info) {
 }
 
 /// The control for a number; true when the value was changed.
-bool number(const SettingInfo& info, double& value, Span span) {
-  if (std::holds_alternative<int Settings::*>(info.member)) {
+bool number(const SettingInfo& info, double& value, ControlRange span) {
+  if (info.member.kind == SettingKind::whole) {
     auto whole = static_cast<int>(value);
     const float pace = std::max(0.3f, 0.005f * static_cast<float>(whole));  // of a large number a part of itself
     const bool changed = ImGui::DragInt("##value", &whole, pace, static_cast<int>(span.low),
@@ -54,10 +54,28 @@ bool number(const SettingInfo& info, double& value, Span span) {
                              ImGuiSliderFlags_AlwaysClamp);
 }
 
-std::string helpOf(const SettingInfo& info, Span span) {
+/// The list of the values that have names; true when another was chosen.
+bool choice(const SettingInfo& info, double& value) {
+  bool changed = false;
+  if (!ImGui::BeginCombo("##value", settingText(info, value).c_str())) return changed;
+  for (const NamedValue& named : info.names) {
+    if (!ImGui::Selectable(std::string(named.name).c_str(), named.value == value)) continue;
+    changed = named.value != value;
+    value = named.value;
+  }
+  ImGui::EndCombo();
+  return changed;
+}
+
+std::string helpOf(const SettingInfo& info, ControlRange span) {
   std::string text(info.help);
-  text += fmt::format("\nFrom {} to {}, default {}.", compact(span.low), compact(span.high),
-                      compact(settingValue(Settings{}, info)));
+  const double standard = settingValue(Settings{}, info);
+  if (isNamed(info)) {
+    text += fmt::format("\nEither {}, default {}.\nKey in files and on the command line: {}.", rangeText(info),
+                        settingText(info, standard), info.key);
+    return text;
+  }
+  text += fmt::format("\nFrom {} to {}, default {}.", compact(span.low), compact(span.high), compact(standard));
   if (info.paperLow != info.paperHigh)
     text += fmt::format(" The paper takes {} to {}.", compact(info.paperLow), compact(info.paperHigh));
   text += fmt::format("\nKey in files and on the command line: {}. Ctrl+click to type a value.", info.key);
@@ -75,14 +93,14 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   bool held = false;  // by the control for numbers, which says when it is let go
   bool letGo = false;
   double value = before;
-  const Span span = spanOf(info, state);
+  const ControlRange span = spanOf(info, state);
 
-  if (std::holds_alternative<bool Settings::*>(info.member)) {
+  if (info.member.kind == SettingKind::on_off) {
     bool on = before != 0.0;
     changed = ImGui::Checkbox(labelOf(info).c_str(), &on);
     value = on ? 1.0 : 0.0;
     note(view, name);
-    tip(view, helpOf(info, {0.0, 1.0}));
+    tip(view, helpOf(info, span));
   } else {
     const std::string label = info.symbol.empty() ? labelOf(info) : fmt::format("{}  {}", info.symbol, labelOf(info));
     muted(view, label);
@@ -91,8 +109,9 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
     const bool possible = state != nullptr || !isLength(info);
     ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(102)));
     ImGui::BeginDisabled(!possible);
-    held = changed = number(info, value, span);
-    letGo = ImGui::IsItemDeactivated();
+    changed = isNamed(info) ? choice(info, value) : number(info, value, span);
+    held = changed && !isNamed(info);
+    letGo = !isNamed(info) && ImGui::IsItemDeactivated();
     ImGui::EndDisabled();
     note(view, name, possible);
     tip(view, possible ? helpOf(info, span) : "Not now: a length belongs to a domain, and there is none yet.");
@@ -133,7 +152,7 @@ std::string commandLine(const View& view) {
   std::string text =
       fmt::format("triscope mesh '{}' -o mesh.msh", domain.file.empty() ? domain.name + ".json" : domain.file);
   for (const SettingDifference& d : differences(Settings{}, view.session.settings()))
-    text += fmt::format(" --set {}={}", d.setting->key, d.b);
+    text += fmt::format(" --set {}={}", d.setting->key, valueText(*d.setting, d.b));
   return text;
 }
 

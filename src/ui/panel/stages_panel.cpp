@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 
 #include "core/base/number.h"
@@ -15,28 +14,6 @@ namespace {
 
 constexpr double kIndent = 22.0;  // pixels at 100 %, of the texts beside the dot
 constexpr double kRuleAt = 62.0;  // of the rule beside a short name
-
-/// What a stage does in a word or two; of steps 1 to 5 the condition that makes them insert a point: circumradius R,
-/// circumcentre c, wanted edge length h, shortest edge e.
-constexpr std::array<std::string_view, kStageCount> kRules{
-    "curvature, corners, gaps",
-    "splits and balances",
-    "spreads the ranks",
-    "one per h",
-    "Bowyer-Watson",
-    "missing edges",
-    "outside away",
-    "off the boundary",
-    "off the first",
-    "R \xE2\x89\xA5 h(c)",
-    "R \xE2\x89\xA5 min h",
-    "R \xE2\x89\xA5 e",
-    "R \xE2\x89\xA5 e of a neighbour",
-    "too tall a neighbour",
-    "what is still broken",
-    "moves and flips",
-    "",
-};
 
 /// "+123  ✗4  →56": inserted, refused, moved.
 std::string countsOf(const StageCounts& c) {
@@ -89,7 +66,7 @@ void paint(const View& view, const StageInfo& info, const MeshState* state, bool
   const std::string tally = countsOf(counts);
   const float tallyAt = at.x + width - wide(small, tally);
   list.AddText(&small, small.FontSize, {tallyAt, at.y + view.px(1)}, mutedColor, tally.c_str());
-  const std::string rule(kRules[static_cast<std::size_t>(info.id)]);
+  const std::string rule(info.rule);
   const float ruleAt = at.x + indent + std::max(view.px(kRuleAt), wide(font, name) + view.px(8));
   if (ruleAt + wide(small, rule) + view.px(8) <= tallyAt)
     list.AddText(&small, small.FontSize, {ruleAt, at.y + view.px(1)}, mutedColor, rule.c_str());
@@ -141,9 +118,7 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
 
 void drawStages(const View& view, Orders& orders) {
   const MeshState* const state = view.now() != nullptr ? &view.now()->state : nullptr;
-  if (state != nullptr && view.round() > 0)
-    muted(view, state->stage == Stage::refine ? fmt::format("Pass {} of step 6", view.round())
-                                              : fmt::format("Round {} of steps 2 to 5", view.round()));
+  if (state != nullptr && view.round() > 0) muted(view, turnHeading(state->stage, view.round()));
   for (const StageInfo& info : stages()) row(view, orders, info, state);
 }
 

@@ -83,9 +83,7 @@ void drawCaption(const View& view, Orders&) {
     ImGui::Indent(view.px(20));
     ImGui::PushFont(view.fonts.strong);
     std::string title(info.name);
-    if (view.round() > 0 && info.id >= Stage::step2 && info.id <= Stage::step5)
-      title += fmt::format(", round {}", view.round());
-    if (view.round() > 0 && info.id == Stage::refine) title += fmt::format(", pass {}", view.round());
+    if (const std::string turn = turnText(info.id, view.round()); !turn.empty()) title += ", " + turn;
     ImGui::TextUnformatted(title.c_str());
     ImGui::PopFont();
     ImGui::SameLine();

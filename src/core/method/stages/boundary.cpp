@@ -59,8 +59,8 @@ double shortestChord(const Curve& curve, const std::vector<double>& params) {
 
 void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   const Curve& curve = state.domain->curves[index];
-  thread_local std::vector<Sample> samples;
-  thread_local std::vector<double> params;
+  std::vector<Sample> samples;
+  std::vector<double> params;
   integrate(state, curve, samples);
   int n = std::max(fewest, static_cast<int>(std::floor(samples.back().integral + 0.5)));
   place(samples, n, params);
@@ -85,7 +85,7 @@ int fewestEdges(const Loop& loop, const Curve& curve) {
   if (loop.role == LoopRole::chain) return 1;
   if (loop.curveCount == 1) return 6;
   if (loop.curveCount == 2) return 3;
-  return curve.kind == CurveKind::arc && std::fabs(curve.sweep) > 1.6 ? 2 : 1;
+  return curve.kind == CurveKind::arc && std::fabs(curve.sweptAngle) > 1.6 ? 2 : 1;
 }
 
 }  // namespace

@@ -66,7 +66,6 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
 
 Outcome advanceFront(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
-  thread_local LeafPath path;
   for (int looked = 0; cursor.index < kRanks; ++looked) {
     if (looked == kPiece) return Outcome::worked;
     const std::int32_t entry = cursor.worklist[cursor.index];
@@ -79,7 +78,7 @@ Outcome advanceFront(MeshState& state, Journal& journal) {
     const bool stale = cell.child >= 0 || cell.density != cursor.index;
     if (!stale) {
       cell.visited = 1;
-      const std::int32_t other = unvisitedNeighbour(state.tree, leaf, path);
+      const std::int32_t other = unvisitedNeighbour(state.tree, leaf, state.room.placing.path);
       if (other >= 0) return rankNeighbour(state, leaf, other, journal);
     }
     cursor.worklist[cursor.index] = cursor.next[static_cast<std::size_t>(entry) + 1];

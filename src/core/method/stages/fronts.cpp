@@ -28,13 +28,13 @@ struct Sector {
   std::size_t spokes = 0;
 };
 
-struct Spoke {
+struct FrontSpoke {
   Point tip;
   std::int32_t vertex;
   std::size_t group;  // spokes of a group are merged; the lowest index stands for it
 };
 
-std::size_t rootOf(const std::vector<Spoke>& spokes, std::size_t k) {
+std::size_t rootOf(const std::vector<FrontSpoke>& spokes, std::size_t k) {
   while (spokes[k].group != k) k = spokes[k].group;
   return k;
 }
@@ -45,7 +45,7 @@ double angleOf(const Sector& sector) {
   return angle > 0.0 ? angle : angle + 2.0 * trig::kPi;
 }
 
-void addSpokes(const Mesh& mesh, const Quadtree& tree, Sector& sector, std::vector<Spoke>& spokes) {
+void addSpokes(const Mesh& mesh, const Quadtree& tree, Sector& sector, std::vector<FrontSpoke>& spokes) {
   const double angle = angleOf(sector);
   sector.firstSpoke = spokes.size();
   if (angle < kFewestDegrees * trig::kDegree) return;
@@ -64,7 +64,7 @@ void addSpokes(const Mesh& mesh, const Quadtree& tree, Sector& sector, std::vect
 }
 
 // The first spoke of a sector and the last of the next one stand over the edge between them.
-void mergeOverEdges(const std::vector<Sector>& sectors, std::vector<Spoke>& spokes) {
+void mergeOverEdges(const std::vector<Sector>& sectors, std::vector<FrontSpoke>& spokes) {
   for (const Sector& sector : sectors) {
     const Sector& next = sectors[sector.next];
     if (sector.spokes == 0 || next.spokes == 0) continue;
@@ -143,7 +143,7 @@ std::vector<Sector> frontSectors(const MeshState& state) {
 // cursor: points = tips to place, worklist = the vertex each stands at, next = the vertex placed (-1 refused).
 void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
   Cursor& cursor = state.cursor;
-  std::vector<Spoke> spokes;
+  std::vector<FrontSpoke> spokes;
   for (Sector& sector : sectors) addSpokes(state.mesh, state.tree, sector, spokes);
   mergeOverEdges(sectors, spokes);
   struct Tip {
@@ -209,7 +209,8 @@ Outcome placeNext(MeshState& state, Journal& journal, Rule rule, VertexKind kind
   const std::int32_t owner = cursor.worklist[k];
   const double floor = state.minEdge * (1.0 - 1e-9);  // where all edges are Δx long, points are Δx apart up to rounding
   const Demand demand{std::max(kNearest * edgeLengthAt(state.tree, p), floor), 0.0};
-  const Attempt attempt = place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand);
+  const Attempt attempt =
+      place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand, state.room.placing);
   if (attempt.vertex >= 0) {
     cursor.next[k] = attempt.vertex;
     front.push_back(attempt.vertex);

@@ -9,10 +9,6 @@
 namespace triscope {
 namespace {
 
-thread_local Placing scratch;
-thread_local std::vector<std::int32_t> suspects;
-thread_local std::vector<Flip> flips;
-
 // True when p sees the edge a-b under an angle whose cosine is below `limit`. A tie counts (but for a right angle): the
 // centre of an equilateral triangle sees its edges under 120°, where the bound on angles is strict.
 bool seenTooWide(Point p, Point a, Point b, double limit) {
@@ -36,10 +32,6 @@ std::int32_t encroached(const Mesh& mesh, const Cavity& cavity, double sightCosi
 }
 
 }  // namespace
-
-Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand) {
-  return place(mesh, tree, p, start, kind, demand, scratch);
-}
 
 Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
               Placing& placing) {
@@ -71,7 +63,8 @@ Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, Ver
   return attempt;
 }
 
-Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge) {
+Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge,
+                      Placing& placing) {
   Attempt attempt;
   const BoundaryEdge old = mesh.edges[at(edge)];
   const double t = 0.5 * (old.t0 + old.t1);
@@ -84,7 +77,7 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
     attempt.limit = minEdge;
     return attempt;
   }
-  Cavity& cavity = scratch.cavity;
+  Cavity& cavity = placing.cavity;
   std::int32_t side = findHalfEdge(mesh, old.v0, old.v1);
   if (side < 0) side = findHalfEdge(mesh, old.v1, old.v0);
   if (side < 0 || !findSplitCavity(mesh, p, side, cavity)) {
@@ -94,13 +87,12 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
   attempt.firstId = mesh.nextId;
   attempt.removedCount = static_cast<std::uint32_t>(cavity.triangleCount);
   attempt.vertex =
-      fillSplitCavity(mesh, cavity, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p, scratch.path)));
+      fillSplitCavity(mesh, cavity, edge, t, static_cast<std::uint8_t>(densityRankAt(tree, p, placing.path)));
   // A point on a bent curve lies off its chord, where the cavity's argument for the Delaunay property does not hold.
-  thread_local Star star;
-  starOf(mesh, attempt.vertex, star);
-  suspects.assign(star.rim.begin(), star.rim.end());
-  flips.clear();
-  restoreDelaunay(mesh, suspects, flips, mostFlips(mesh));
+  starOf(mesh, attempt.vertex, placing.star);
+  placing.suspects.assign(placing.star.rim.begin(), placing.star.rim.end());
+  placing.flips.clear();
+  restoreDelaunay(mesh, placing.suspects, placing.flips, mostFlips(mesh));
   attempt.createdCount = mesh.nextId - attempt.firstId;
   return attempt;
 }

@@ -15,12 +15,6 @@ struct Demand {
       -1.0;  // a boundary edge may not be seen under an angle with a smaller cosine (0: 90°, -0.5: 120°)
 };
 
-/// Scratch of place(), kept from one attempt to the next so that nothing is allocated.
-struct Placing {
-  Cavity cavity;
-  LeafPath path;
-};
-
 struct Attempt {
   Refusal refusal = Refusal::none;
   double measured = 0.0;  // what the refusal measured, and the limit it was held against
@@ -32,15 +26,15 @@ struct Attempt {
   std::uint32_t removedCount = 0;
 };
 
-/// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes. The second form
-/// leaves the cavity, with the new triangles as its fan, in the caller's scratch.
-Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand);
+/// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes. Leaves the cavity,
+/// with the new triangles as its fan, in `placing`.
 Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
               Placing& placing);
 
 /// Splits boundary edge `edge` (index in Mesh::edges) at half its parameter, on the true curve. Refused when a half
 /// would be shorter than minEdge, or the new point does not see the triangles around it.
-Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge);
+Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge,
+                      Placing& placing);
 
 /// Fills in what an attempt did: vertex or refusal, measured and limit, created and removed.
 void describeAttempt(Event& event, const Attempt& attempt);

@@ -12,8 +12,6 @@ namespace {
 
 enum Phase : std::uint32_t { split_for_constraints, balance, rank_constraints };
 
-thread_local LeafPath path;
-
 int wishedRank(const MeshState& state, const Constraint& constraint) {
   const int rank = rankAtMost(constraint.length * state.tree.minEdgeInverse * (1.0 + 1e-12));
   return std::min({rank, state.settings.maxRank, 3 * state.tree.cells[0].rank});
@@ -29,7 +27,8 @@ Outcome nextLeaf(MeshState& state, const Decide& decide) {
     const Constraint& constraint = state.constraints[cursor.index];
     const LatticeBox patch = latticeBoxOf(state.tree, reachOf(constraint, *state.domain));
     const bool onePlace = patch.x0 == patch.x1 && patch.y0 == patch.y1;
-    if (!cursor.inside) cursor.worklist.assign(1, onePlace ? leafAt(state.tree, constraint.at, path) : 0);
+    if (!cursor.inside)
+      cursor.worklist.assign(1, onePlace ? leafAt(state.tree, constraint.at, state.room.placing.path) : 0);
     cursor.inside = true;
     while (!cursor.worklist.empty()) {
       if (++looked > kPiece) return Outcome::worked;
@@ -58,7 +57,7 @@ Outcome balanceOne(MeshState& state, Journal& journal) {
     const std::int32_t leaf = cursor.worklist.back();
     const Cell& cell = tree.cells[static_cast<std::size_t>(leaf)];
     if (cell.child < 0) {
-      const std::int32_t other = coarseNeighbour(tree, leaf, path);
+      const std::int32_t other = coarseNeighbour(tree, leaf, state.room.placing.path);
       if (other >= 0) {
         const SplitReason why{Rule::balance, static_cast<std::uint32_t>(leaf), cell.rank + 1};
         const std::int32_t first = splitLeaf(state, journal, why, other);

@@ -72,7 +72,8 @@ Outcome runRecovery(MeshState& state, Journal& journal) {
         attempt.limit = static_cast<double>(mostSplits(state));
         return giveUp(state, journal, cursor.index, p, attempt);
       }
-      attempt = place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::split, {shortestMade(state)});
+      attempt =
+          place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::split, {shortestMade(state)}, state.room.placing);
       if (attempt.vertex < 0) return giveUp(state, journal, cursor.index, p, attempt);
       splitBoundaryEdge(mesh, static_cast<std::int32_t>(cursor.index), attempt.vertex, t);
       cursor.phase = 1;

@@ -204,7 +204,7 @@ void forgetTests(Mesh& mesh) {
 
 Outcome runRefine(MeshState& state, Journal& journal) {
   // round: the pass, from 1; phase: part of the pass; the rest is its own business.
-  thread_local TrialRoom room;
+  TrialRoom& room = state.room.moves;
   Cursor& cursor = state.cursor;
   if (!cursor.begun) {
     cursor.begun = true;

@@ -213,7 +213,7 @@ void place(Mesh& mesh, const Wheel& wheel, Point to, const Rim& rim, const Pose&
     if (spoke.across >= 0) {
       mesh.tested[at(triangleOf(spoke.across))] &= static_cast<std::uint8_t>(kAcute | (evenBeyond ? kEven : 0));
     }
-    ChangeLog::note(spoke.slot);
+    noteTouched(mesh, spoke.slot);
     evenLast = evenNext;
   }
 }

@@ -23,13 +23,6 @@ struct Verdict {
   double limit = 0.0;
 };
 
-/// Room to work in, kept from one trial to the next; it carries nothing over.
-struct TrialRoom {
-  Wheel wheel;
-  MoveLog log;
-  std::vector<std::int32_t> before;
-};
-
 /// Makes the move and flips until the region is Delaunay again, measures the region, and takes everything back when it
 /// is worse. What was moved is in `room.log`.
 Verdict tryInFull(MeshState& state, const Move& move, TrialRoom& room);

@@ -18,7 +18,7 @@ constexpr std::size_t kLargestStar = 64;
 constexpr int kLargestHub = 8;
 
 void addMoves(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remedies) {
-  thread_local Star star;
+  Star star;
   starOf(patch, vertex, star);
   if (!star.closed || patch.vertexEdge[at(vertex)] >= 0) return;
   const Point p = pointOf(patch, vertex);
@@ -63,7 +63,7 @@ std::int32_t patient(const Mesh& patch) {
 }
 
 void addRemoval(const Mesh& patch, std::int32_t vertex, std::vector<Remedy>& remedies) {
-  thread_local Star star;
+  Star star;
   starOf(patch, vertex, star);
   if (star.rim.size() <= kLargestStar) remedies.push_back({MeshEdit::remove, vertex, pointOf(patch, vertex)});
 }
@@ -95,7 +95,7 @@ std::int32_t firstLive(const Mesh& mesh) {
 
 void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies) {
   remedies.clear();
-  thread_local std::vector<std::int32_t> near, slots;
+  std::vector<std::int32_t> near, slots;
   const std::int32_t centre = patient(patch);
   near.assign(triangleAt(patch, centre).v.begin(), triangleAt(patch, centre).v.end());
   slots.assign(1, centre);
@@ -118,25 +118,25 @@ void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies) {
   }
 }
 
-Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor) {
-  thread_local MoveLog log;
+Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor,
+                    Room& room) {
   Attempt attempt;
   attempt.refusal = Refusal::inverts_triangle;
   switch (remedy.edit) {
     case MeshEdit::move:
       attempt.firstId = mesh.nextId;
-      if (moveVertex(mesh, remedy.index, remedy.to, log)) attempt.refusal = Refusal::none;
+      if (moveVertex(mesh, remedy.index, remedy.to, room.moves.log)) attempt.refusal = Refusal::none;
       attempt.createdCount = mesh.nextId - attempt.firstId;
       return attempt;
     case MeshEdit::insert:
-      return place(mesh, state.tree, remedy.to, start, VertexKind::steiner, {floor, -0.5});
+      return place(mesh, state.tree, remedy.to, start, VertexKind::steiner, {floor, -0.5}, room.placing);
     case MeshEdit::remove:
       attempt.firstId = mesh.nextId;
       if (removeVertex(mesh, remedy.index)) attempt.refusal = Refusal::none;
       attempt.createdCount = mesh.nextId - attempt.firstId;
       return attempt;
     case MeshEdit::split:
-      return splitBoundary(mesh, *state.domain, state.tree, remedy.index, floor);
+      return splitBoundary(mesh, *state.domain, state.tree, remedy.index, floor, room.placing);
     case MeshEdit::none:
       break;
   }

@@ -23,7 +23,8 @@ void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies);
 
 /// Makes the edit in the mesh of the state, or in a patch of it. A point to insert is looked for from slot `start`; no
 /// edge becomes shorter than `floor`.
-Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor);
+Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor,
+                    Room& room);
 
 std::int32_t firstLive(const Mesh& mesh);
 

@@ -18,7 +18,7 @@ constexpr int kPasses = 8;  // over the triangles that break a bound, in one vis
 
 // Slots of the triangles around a vertex: of those, too, that fill its gap once it is taken out.
 void appendStar(const Mesh& mesh, std::int32_t vertex, std::vector<std::int32_t>& slots) {
-  thread_local Star star;
+  Star star;
   starOf(mesh, vertex, star);
   for (const std::int32_t rim : star.rim) slots.push_back(triangleOf(rim));
 }
@@ -96,7 +96,7 @@ Outcome runRepair(MeshState& state, Journal& journal) {
       return Outcome::decided;
     }
     double floor = 0.0;
-    const Treatment treatment = bestTreatment(state, slot, floor);
+    const Treatment treatment = bestTreatment(state, slot, floor, state.room);
     if (treatment[0].edit == MeshEdit::none) {
       mesh.tested[at(slot)] |= kTestedRepair;
       ++counts.refused;
@@ -107,15 +107,14 @@ Outcome runRepair(MeshState& state, Journal& journal) {
     }
     ++cursor.index;
     bool inserted = false;
-    thread_local std::vector<std::int32_t> gaps, moved;
-    gaps.clear();
+    std::vector<std::int32_t> gaps, moved;
     const std::uint32_t firstId = mesh.nextId;
     for (const Remedy& remedy : treatment) {
       if (remedy.edit == MeshEdit::none) break;
       const Point from = remedy.edit == MeshEdit::move ? pointOf(mesh, remedy.index) : remedy.to;
       if (remedy.edit == MeshEdit::remove) appendStar(mesh, remedy.index, gaps);
       const std::int32_t start = mesh.alive(slot) ? slot : mesh.lastTriangle;
-      const Attempt attempt = applyRemedy(mesh, state, remedy, start, floor);
+      const Attempt attempt = applyRemedy(mesh, state, remedy, start, floor, state.room);
       record(state, journal, remedy, subject, from, attempt);
       if (remedy.edit == MeshEdit::move) {
         ++counts.moved;

@@ -12,8 +12,6 @@
 namespace triscope {
 namespace {
 
-thread_local Placing roomForPlacing;
-
 Rule ruleOf(Stage step) {
   return static_cast<Rule>(static_cast<int>(Rule::step1) + static_cast<int>(step) - static_cast<int>(Stage::step1));
 }
@@ -81,23 +79,23 @@ Outcome runSteps(MeshState& state, Journal& journal) {
     mesh.tested[at(slot)] |= bit;
     Proposal proposal;
     if (state.stage == Stage::step1) {
-      if (!proposes(state.stage, state, slot, roomForPlacing.path, proposal)) continue;
+      if (!proposes(state.stage, state, slot, state.room.placing.path, proposal)) continue;
     } else {
       const Quiet quiet = clearlyQuiet(state, slot);
-      if (quiet.of(state.stage) || !proposes(state.stage, state, slot, roomForPlacing.path, proposal)) {
+      if (quiet.of(state.stage) || !proposes(state.stage, state, slot, state.room.placing.path, proposal)) {
         passOver(state, slot, quiet);
         continue;
       }
     }
     const std::uint32_t subject = idOf(mesh, slot);
     const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
-    const Attempt attempt = insert(state, slot, proposal, roomForPlacing);
+    const Attempt attempt = insert(state, slot, proposal, state.room.placing);
     record(state, journal, subject, proposal, other, attempt);
     if (attempt.vertex < 0) {
       ++state.counts[static_cast<std::size_t>(state.stage)].refused;
       return Outcome::decided;
     }
-    queueFan(cursor.worklist, roomForPlacing.cavity.fan());
+    queueFan(cursor.worklist, state.room.placing.cavity.fan());
     return Outcome::inserted;
   }
   return Outcome::done;

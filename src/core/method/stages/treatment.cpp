@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/patch.h"
 #include "core/mesh/trial.h"
@@ -30,8 +29,7 @@ struct Search {
   Breach best;
   Treatment chosen{};
   std::vector<Lead> leads;  // best first
-  Trial& trial;
-  ChangeLog& touched;
+  Room& room;
 };
 
 void takeLead(std::vector<Lead>& leads, const Breach& after, const Remedy& remedy) {
@@ -42,21 +40,22 @@ void takeLead(std::vector<Lead>& leads, const Breach& after, const Remedy& remed
 
 // Tries the remedies for the trial's mesh, `first` having been made already; without one, leads are collected too.
 void tryRemedies(Search& search, const Remedy& first) {
-  thread_local std::vector<Remedy> remedies;
-  Trial& trial = search.trial;
+  std::vector<Remedy> remedies;
+  Trial& trial = search.room.trial;
   collectRemedies(trial.unedited, remedies);
   const std::int32_t start = firstLive(trial.unedited);
   for (const Remedy& remedy : remedies) {
     const bool lead = first.edit == MeshEdit::none && remedy.edit != MeshEdit::move;
-    search.touched.slots.clear();
-    if (applyRemedy(trial.mesh, search.state, remedy, start, search.floor).refusal != Refusal::none) continue;
+    trial.mesh.touched->clear();
+    if (applyRemedy(trial.mesh, search.state, remedy, start, search.floor, search.room).refusal != Refusal::none)
+      continue;
     int most = search.best.broken;
     if (lead) {
       most = search.leads.size() < kLeads ? std::numeric_limits<int>::max()
                                           : std::max(most, search.leads.back().after.broken);
     }
-    const Breach after = judgeEdit(trial, search.touched.slots, most);
-    takeBack(trial, search.touched.slots);
+    const Breach after = judgeEdit(trial, most);
+    takeBack(trial);
     if (after.shortest < search.floor * search.floor) continue;
     if (better(after, search.best)) {
       search.best = after;
@@ -82,19 +81,17 @@ void translate(const MeshState& state, const Patch& patch, Remedy& remedy) {
 
 }  // namespace
 
-Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor) {
-  const ChangeLog::Pause onACopy;
-  ChangeLog touched;
-  thread_local Patch patch;
-  thread_local Trial trial;
+Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor, Room& room) {
+  Patch& patch = room.patch;
+  Trial& trial = room.trial;
   extractPatch(state.mesh, slot, kPatchDepth, patch);
   beginTrial(trial, patch.mesh);
   floor = std::min(state.minEdge, std::sqrt(trial.whole.shortest) * (1.0 - 1e-9));
-  Search search{state, floor, trial.whole, {}, {}, trial, touched};
+  Search search{state, floor, trial.whole, {}, {}, room};
   tryRemedies(search, {});
   for (std::size_t k = 0; search.chosen[0].edit == MeshEdit::none && k < search.leads.size(); ++k) {
     if (k > 0) beginTrial(trial, patch.mesh);
-    applyRemedy(trial.mesh, state, search.leads[k].remedy, 0, floor);
+    applyRemedy(trial.mesh, state, search.leads[k].remedy, 0, floor, room);
     keepEdit(trial);
     tryRemedies(search, search.leads[k].remedy);
   }

@@ -73,8 +73,8 @@ Outcome runTriangulation(MeshState& state, Journal& journal) {
       point.vertex = near;
       continue;
     }
-    const Attempt attempt =
-        place(mesh, state.tree, point.at, mesh.lastTriangle, point.kept ? VertexKind::kept : VertexKind::boundary, {});
+    const Attempt attempt = place(mesh, state.tree, point.at, mesh.lastTriangle,
+                                  point.kept ? VertexKind::kept : VertexKind::boundary, {}, state.room.placing);
     point.vertex = attempt.vertex;
     if (journal.listening()) {
       Event event = eventIn(state, EventKind::vertex_inserted, Rule::initial);

@@ -1,5 +1,5 @@
 // The sweep against all pairs of edges, on random polygons of few coordinates (so that every degeneracy happens).
-#include "core/domain/sweep.h"
+#include "core/domain/sweep_line.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ std::vector<Point> randomLoop(std::mt19937& random, int size, int grid) {
   return points;
 }
 
-TEST(DomainSweep, AgreesWithAllPairsOnSingleLoops) {
+TEST(SweepLine, AgreesWithAllPairsOnSingleLoops) {
   std::mt19937 random(11);
   int simple = 0;
   for (int i = 0; i < 60000; ++i) {
@@ -95,7 +95,7 @@ TEST(DomainSweep, AgreesWithAllPairsOnSingleLoops) {
   EXPECT_GT(simple, 5000);
 }
 
-TEST(DomainSweep, AgreesWithAllPairsOnTwoLoops) {
+TEST(SweepLine, AgreesWithAllPairsOnTwoLoops) {
   std::mt19937 random(12);
   int accepted = 0;
   int nested = 0;
@@ -124,7 +124,7 @@ TEST(DomainSweep, AgreesWithAllPairsOnTwoLoops) {
   EXPECT_GT(nested, 200);
 }
 
-TEST(DomainSweep, AgreesWithAllPairsOnSegments) {
+TEST(SweepLine, AgreesWithAllPairsOnSegments) {
   std::mt19937 random(13);
   int accepted = 0;
   for (int i = 0; i < 60000; ++i) {
@@ -157,7 +157,7 @@ TEST(DomainSweep, AgreesWithAllPairsOnSegments) {
   EXPECT_GT(accepted, 5000);
 }
 
-TEST(DomainSweep, HundredThousandEdgesAreChecked) {
+TEST(SweepLine, HundredThousandEdgesAreChecked) {
   // A comb of long slanted teeth: every bounding box overlaps thousands of others.
   std::vector<Point> points;
   const int teeth = 25000;

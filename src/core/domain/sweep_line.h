@@ -26,7 +26,7 @@ struct Contact {
   Point at;                // exact, except for a crossing
 };
 
-struct SweepResult {
+struct SweepLineResult {
   std::optional<Contact> contact;
   /// Per chord: the loop directly around it (for a chord of a loop: around that loop), -1 when there is none.
   /// Complete only without a contact.
@@ -35,6 +35,6 @@ struct SweepResult {
 
 /// Loops of the domain must be oriented, chords have length. Chains may share points with loops and with one
 /// another where all of them have kept points (ends of curves); nothing else may meet.
-SweepResult sweep(const Domain& domain, const std::vector<Chord>& chords);
+SweepLineResult sweepLine(const Domain& domain, const std::vector<Chord>& chords);
 
 }  // namespace triscope

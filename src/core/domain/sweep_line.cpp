@@ -1,4 +1,4 @@
-#include "core/domain/sweep.h"
+#include "core/domain/sweep_line.h"
 
 #include <algorithm>
 #include <set>
@@ -26,9 +26,9 @@ struct Edge {
   Point hi;
 };
 
-class Sweep {
+class SweepLine {
  public:
-  Sweep(const Domain& domain, const std::vector<Chord>& chords) : domain_(domain), chords_(chords) {
+  SweepLine(const Domain& domain, const std::vector<Chord>& chords) : domain_(domain), chords_(chords) {
     edges_.reserve(chords.size());
     for (const Chord& chord : chords) {
       edges_.push_back(leftOf(chord.a, chord.b) ? Edge{chord.a, chord.b} : Edge{chord.b, chord.a});
@@ -39,7 +39,7 @@ class Sweep {
     around_.resize(domain.loops.size(), kUnknown);
   }
 
-  SweepResult run() {
+  SweepLineResult run() {
     const std::vector<End> ends = sortedEnds();
     for (std::size_t i = 0; i < ends.size() && !contact_;) {
       std::size_t j = i + 1;
@@ -203,6 +203,8 @@ class Sweep {
 
 }  // namespace
 
-SweepResult sweep(const Domain& domain, const std::vector<Chord>& chords) { return Sweep(domain, chords).run(); }
+SweepLineResult sweepLine(const Domain& domain, const std::vector<Chord>& chords) {
+  return SweepLine(domain, chords).run();
+}
 
 }  // namespace triscope
