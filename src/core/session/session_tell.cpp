@@ -105,7 +105,7 @@ void traceOn(SessionWork& work) {
   Run& run = work.driver.run;
   const auto start = SessionWork::Clock::now();
   const auto enough = [=] { return SessionWork::Clock::now() - start > kPatience; };
-  const bool more = run.trace.carryOn(run.history, run.recorder.record().ticks, enough);
+  const bool more = run.trace.carryOn(run.history, run.recorder.record(), enough);
   const auto now = SessionWork::Clock::now();
   if (more && now - work.lastTrace < kBetweenNews) return;
   work.lastTrace = now;
