@@ -76,4 +76,7 @@ void carrySlice(SessionWork& work);
 bool traceLags(const SessionWork& work);
 void carryTrace(SessionWork& work);
 
+/// To be called when nothing has been asked for in a while.
+void rest(const SessionWork& work);
+
 }  // namespace triscope
