@@ -1,16 +1,20 @@
 #!/usr/bin/python3
-"""How long the window takes to answer: bench/window.py PROGRAM DOMAIN.
+"""How long the window takes to answer: bench/window.py PROGRAM [DOMAIN], or else the ring of a million triangles.
 
 Presses real keys and moves a real mouse under Xvfb, and waits until the state file tells of what they ask for. Prints
 milliseconds on the clock; for the drag of omega also of processor time by the busiest thread, which makes the mesh.
 """
 
 import ctypes
+import json
 import os
 import pathlib
 import statistics
 import sys
+import tempfile
 import time
+
+from process_bench import RING
 
 os.environ["TRISCOPE_PROGRAM"] = os.path.abspath(sys.argv[1])
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "tests" / "window"))
@@ -20,6 +24,8 @@ OMEGAS = [0.05 + 0.02 * (5 * k % 11) for k in range(22)]
 PLACES = [0.05 + 0.9 * (7 * k % 20) / 20 for k in range(20)]
 LEFT, RIGHT = 0xff51, 0xff53  # keysyms
 IDLE_SECONDS = 10.0
+MILLION = {**RING, "min_edge_length": 94.0 / 540000}
+harness.TIMEOUT = 120.0
 
 
 class Person:
@@ -63,13 +69,33 @@ def tell(what, values):
     print(f"{what}: from {min(values):.0f} to {max(values):.0f} ms, median {statistics.median(values):.0f}")
 
 
-def steps(window, person):
-    for what, keysym in (("step back", LEFT), ("step", RIGHT)):
+def steps(window, person, back="step back", on="step"):
+    for what, keysym in ((back, LEFT), (on, RIGHT)):
         values = []
         for _ in range(30):
             tick = window.settled()["tick"]
             values.append(answered(window, lambda k=keysym: person.press(k), lambda s, t=tick: s["tick"] != t))
         tell(what, values)
+
+
+def pan(window, person):
+    x, y, width, height = window.widget_box("canvas")
+    middle = (x + width / 2, y + height / 2)
+    window.hold(*middle)
+    values = []
+    for k in range(1, 21):
+        camera = window.settled()["camera"]
+        values.append(answered(window, lambda k=k: person.move(middle[0] + 11 * k, middle[1] + 5 * k),
+                               lambda s, c=camera: s["camera"] != c))
+    window.release()
+    tell("pan", values)
+
+
+def memory(window, when):
+    status = pathlib.Path(f"/proc/{window.process.pid}/status").read_text()
+    now, peak = (int(next(line for line in status.splitlines() if line.startswith(key)).split()[1]) / 1024
+                 for key in ("VmRSS", "VmHWM"))
+    print(f"memory {when}: {now:.0f} MiB, at most {peak:.0f} MiB so far")
 
 
 def scrub(window, person):
@@ -82,6 +108,7 @@ def scrub(window, person):
                                lambda s, t=tick: s["tick"] != t))
     window.release()
     tell("scrub", values)
+    steps(window, person, "back from there", "step from there")
 
 
 def drag_omega(window, person):
@@ -111,7 +138,11 @@ def idle(window):
 
 def main():
     display = harness.Display()
-    window = harness.Window(display, os.path.abspath(sys.argv[2]))
+    folder = tempfile.TemporaryDirectory()
+    domain = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else os.path.join(folder.name, "ring.json")
+    if len(sys.argv) <= 2:
+        pathlib.Path(domain).write_text(json.dumps(MILLION), encoding="utf-8")
+    window = harness.Window(display, domain)
     try:
         person = Person(display.name)
         state = window.wait(lambda s: s.get("stage") == "finished" and s["activity"] == "idle", "the mesh")
@@ -121,12 +152,17 @@ def main():
         window.wait(lambda s: s["debug"]["measured"] == s["debug"]["ticks"], "the measures")
         window.settled()
         idle(window)
+        memory(window, "at rest")
         steps(window, person)
+        pan(window, person)
         scrub(window, person)
         drag_omega(window, person)
+        time.sleep(IDLE_SECONDS)
+        memory(window, "in the end")
     finally:
         window.close()
         display.close()
+        folder.cleanup()
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #include "render/gl_layer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <numeric>
@@ -85,6 +86,20 @@ std::uint32_t mortonOf(std::uint32_t x, std::uint32_t y) {
 
 constexpr std::size_t kTileTriangles = 2048;
 
+/// By the upper half, equal ones as they come: in a quarter of the time of a sort by comparison.
+void sortByUpperHalf(std::vector<std::uint64_t>& keys) {
+  constexpr unsigned kBits = 11, kPasses = 3;
+  std::vector<std::uint64_t> sorted(keys.size());
+  for (unsigned pass = 0; pass < kPasses; ++pass) {
+    const auto digit = [shift = 32 + kBits * pass](std::uint64_t key) { return key >> shift & ((1u << kBits) - 1); };
+    std::array<std::size_t, std::size_t{1} << kBits> next{};
+    for (const std::uint64_t key : keys) ++next[digit(key)];
+    std::exclusive_scan(next.begin(), next.end(), next.begin(), std::size_t{0});
+    for (const std::uint64_t key : keys) sorted[next[digit(key)]++] = key;
+    keys.swap(sorted);
+  }
+}
+
 /// An order of the triangles in which those near each other are close; as they come when they are few.
 std::vector<std::uint32_t> spatialOrder(const TriangleBatch& batch) {
   std::vector<std::uint32_t> order(batch.triangles.size());
@@ -95,37 +110,63 @@ std::vector<std::uint32_t> spatialOrder(const TriangleBatch& batch) {
   const double toGrid = 65535.0 / std::max({box.width(), box.height(), 1e-300});
   std::vector<std::uint64_t> keyed(order.size());
   for (std::size_t t = 0; t < order.size(); ++t) {
-    const Point p = batch.points[batch.triangles[t][0]] - box.lo;
-    const std::uint32_t morton =
-        mortonOf(static_cast<std::uint32_t>(p.x * toGrid), static_cast<std::uint32_t>(p.y * toGrid));
+    const Index3& corners = batch.triangles[t];
+    const Point p = batch.points[corners[0]] - box.lo;
+    // Those without extent make room for others, wherever these will be: they come last.
+    const std::uint32_t morton = corners[0] == corners[1] ? ~0u
+                                                          : mortonOf(static_cast<std::uint32_t>(p.x * toGrid),
+                                                                     static_cast<std::uint32_t>(p.y * toGrid));
     keyed[t] = (std::uint64_t{morton} << 32u) | t;
   }
-  std::sort(keyed.begin(), keyed.end());
+  sortByUpperHalf(keyed);
   std::transform(keyed.begin(), keyed.end(), order.begin(),
                  [](std::uint64_t k) { return static_cast<std::uint32_t>(k); });
   return order;
 }
 
+std::array<FilledVertex, 3> verticesOf(const TriangleBatch& batch, std::uint32_t t, Near nearby, Box& box) {
+  constexpr Color kNone{0, 0, 0, 0};
+  const Color fill = batch.fills.empty() ? kNone : batch.fills[batch.fills.size() == 1 ? 0 : t];
+  const Index3& corners = batch.triangles[t];
+  std::array<FilledVertex, 3> vertices;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point p = batch.points[corners[i]];
+    if (corners[0] != corners[1]) box.include(p);
+    vertices[i] = {nearby.x(p), nearby.y(p), fill};
+  }
+  return vertices;
+}
+
 void uploadTriangles(GlTriangles& target, const TriangleBatch& batch, Near nearby) {
   std::vector<FilledVertex> vertices;
   vertices.reserve(3 * batch.triangles.size());
-  constexpr Color kNone{0, 0, 0, 0};
+  target.places.resize(batch.triangles.size());
   for (const std::uint32_t t : spatialOrder(batch)) {
     if (vertices.size() % (3 * kTileTriangles) == 0)
       target.tiles.push_back({{}, static_cast<GLint>(vertices.size()), 0});
     GlTile& tile = target.tiles.back();
-    const Color fill = batch.fills.empty() ? kNone : batch.fills[batch.fills.size() == 1 ? 0 : t];
-    for (const std::uint32_t v : batch.triangles[t]) {
-      const Point p = batch.points[v];
-      tile.box.include(p);
-      vertices.push_back({nearby.x(p), nearby.y(p), fill});
-    }
+    target.places[t] = static_cast<GLint>(vertices.size());
+    const std::array<FilledVertex, 3> corners = verticesOf(batch, t, nearby, tile.box);
+    vertices.insert(vertices.end(), corners.begin(), corners.end());
     tile.count += 3;
   }
   target.wire = batch.wire;
   target.hatched = batch.hatched;
   fillBuffer(target.mesh, vertices);
   describeFilled();
+}
+
+/// Writes the triangles that have changed over what was in their places.
+void mendTriangles(GlTriangles& target, const TriangleBatch& batch, const std::vector<std::uint32_t>& changed,
+                   Near nearby) {
+  glBindBuffer(GL_ARRAY_BUFFER, target.mesh.vertices.get());
+  for (const std::uint32_t t : changed) {
+    const auto place = static_cast<std::size_t>(target.places[t]);
+    const std::array<FilledVertex, 3> vertices =
+        verticesOf(batch, t, nearby, target.tiles[place / (3 * kTileTriangles)].box);
+    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(place * sizeof(FilledVertex)), sizeof(vertices),
+                    vertices.data());
+  }
 }
 
 void uploadSquares(GlSquares& target, const SquareBatch& batch, Near nearby) {
@@ -181,11 +222,16 @@ void uploadMarks(GlMarks& target, const MarkBatch& batch, Near nearby) {
 }  // namespace
 
 void upload(GlLayer& target, const Layer& layer, Point origin) {
-  if (target.key == layer.key && target.origin == origin) return;
-  target = {};
-  target.key = layer.key;
-  target.origin = origin;
+  if (target.version == layer.version && target.origin == origin) return;
   const Near nearby{origin};
+  if (layer.change.since != 0 && target.version == layer.change.since && target.origin == origin) {
+    mendTriangles(target.triangles.front(), layer.triangles.front(), layer.change.triangles, nearby);
+    target.version = layer.version;
+    return;
+  }
+  target = {};
+  target.version = layer.version;
+  target.origin = origin;
   for (const SquareBatch& batch : layer.squares) uploadSquares(target.squares.emplace_back(), batch, nearby);
   for (const TriangleBatch& batch : layer.triangles) uploadTriangles(target.triangles.emplace_back(), batch, nearby);
   for (const LineBatch& batch : layer.lines) uploadLines(target.lines.emplace_back(), batch, nearby);

@@ -19,7 +19,7 @@ struct GlMesh {
 
 /// A run of triangles that lie together, to be left out when they are not in view.
 struct GlTile {
-  Box box;  // world
+  Box box;  // world; holds them all, and perhaps more
   GLint first = 0;
   GLsizei count = 0;  // vertices
 };
@@ -27,6 +27,7 @@ struct GlTile {
 struct GlTriangles {
   GlMesh mesh;
   std::vector<GlTile> tiles;
+  std::vector<GLint> places;  // by triangle of the batch: its first vertex
   LineStyle wire;
   bool hatched = false;
 };
@@ -51,7 +52,7 @@ struct GlMarks {
 
 /// Coordinates are floats relative to `origin`.
 struct GlLayer {
-  std::uint64_t key = 0;
+  std::uint64_t version = 0;
   Point origin;
   std::vector<GlSquares> squares;
   std::vector<GlTriangles> triangles;
@@ -60,7 +61,8 @@ struct GlLayer {
   std::vector<GlMarks> marks;
 };
 
-/// Uploads the layer unless `target` already has this key and origin.
+/// Uploads the layer unless `target` already has this version and origin; of the version after that of `target` only
+/// what has changed.
 void upload(GlLayer& target, const Layer& layer, Point origin);
 
 }  // namespace triscope

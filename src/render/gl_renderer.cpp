@@ -69,8 +69,8 @@ bool GlRenderer::draw(const Scene& scene, const Camera& camera, double density) 
   Drawn large = all;
   for (int i = 0; i < kLayerCount; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    all.keys[at] = scene.layers[at].key;
-    if (isLarge(static_cast<LayerId>(i))) large.keys[at] = scene.layers[at].key;
+    all.versions[at] = scene.layers[at].version;
+    if (isLarge(static_cast<LayerId>(i))) large.versions[at] = scene.layers[at].version;
   }
   if (all == drawnAll_) return false;
 
@@ -79,7 +79,7 @@ bool GlRenderer::draw(const Scene& scene, const Camera& camera, double density) 
   const bool resized = large_.resize(width, height);
   picture_.resize(width, height);
   origin_ = originFor(scene, camera);
-  const View view{camera, density, origin_};
+  const View view{camera, density, origin_, visibleBox(camera)};
 
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_SCISSOR_TEST);
@@ -89,26 +89,56 @@ bool GlRenderer::draw(const Scene& scene, const Camera& camera, double density) 
   // The picture stays opaque: alpha is left alone.
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 
-  const auto drawSome = [&](bool wantLarge) {
-    for (int i = 0; i < kLayerCount; ++i) {
-      if (isLarge(static_cast<LayerId>(i)) != wantLarge) continue;
-      GlLayer& layer = layers_[static_cast<std::size_t>(i)];
-      upload(layer, scene.layers[static_cast<std::size_t>(i)], origin_);
-      drawLayer(layer, view);
-    }
-  };
-  if (resized || large != drawnLarge_) {
-    large_.clear(scene.theme.background);
-    drawSome(true);
-    drawnLarge_ = large;
-  }
+  if (resized) drawnLarge_ = {};
+  if (large != drawnLarge_) drawLarge(scene, view, large);
   picture_.copyFrom(large_);
-  drawSome(false);
+  drawSome(scene, view, false);
   drawnAll_ = all;
   glBindVertexArray(0);
   glUseProgram(0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return true;
+}
+
+void GlRenderer::drawSome(const Scene& scene, const View& view, bool large) {
+  for (int i = 0; i < kLayerCount; ++i) {
+    if (isLarge(static_cast<LayerId>(i)) != large) continue;
+    GlLayer& layer = layers_[static_cast<std::size_t>(i)];
+    upload(layer, scene.layers[static_cast<std::size_t>(i)], origin_);
+    drawLayer(layer, view);
+  }
+}
+
+void GlRenderer::drawLarge(const Scene& scene, View view, const Drawn& wanted) {
+  const LayerChange& change = scene.layer(LayerId::mesh).change;
+  std::uint64_t& drawn = drawnLarge_.versions[static_cast<std::size_t>(LayerId::mesh)];
+  Drawn as = drawnLarge_;
+  as.versions[static_cast<std::size_t>(LayerId::mesh)] = scene.layer(LayerId::mesh).version;
+  const bool partly = change.since != 0 && drawn == change.since && as == wanted;
+  drawnLarge_ = wanted;
+  if (!partly) {
+    large_.clear(scene.theme.background);
+    return drawSome(scene, view, true);
+  }
+  // What else lies there is drawn again too, and falls on the same pixels as before.
+  constexpr double kMargin = 3.0;  // pixels at 100 %, for the width of edges
+  const double margin = kMargin * view.density;
+  const Point a = toPixel(view.camera, change.where.lo), b = toPixel(view.camera, change.where.hi);  // y down
+  const auto clipped = [](double value, double most) { return static_cast<GLint>(std::clamp(value, 0.0, most)); };
+  const GLint left = clipped(std::floor(a.x - margin), view.camera.width);
+  const GLint right = clipped(std::ceil(b.x + margin), view.camera.width);
+  const GLint top = clipped(std::floor(b.y - margin), view.camera.height);
+  const GLint bottom = clipped(std::ceil(a.y + margin), view.camera.height);
+  if (change.where.empty() || left >= right || top >= bottom)  // out of view
+    return upload(layers_[static_cast<std::size_t>(LayerId::mesh)], scene.layer(LayerId::mesh), origin_);
+  view.visible = {};
+  view.visible.include(toWorld(view.camera, {static_cast<double>(left), static_cast<double>(top)}));
+  view.visible.include(toWorld(view.camera, {static_cast<double>(right), static_cast<double>(bottom)}));
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(left, static_cast<GLint>(view.camera.height) - bottom, right - left, bottom - top);
+  large_.clear(scene.theme.background);
+  drawSome(scene, view, true);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void GlRenderer::drawLayer(GlLayer& layer, const View& view) {
@@ -128,11 +158,10 @@ void GlRenderer::drawTriangles(GlTriangles& batch, const View& view) {
   triangles_.set("uFades", batch.wire.fades);
   triangles_.set("uHatchSpacing", batch.hatched ? static_cast<float>(kHatchSpacing * view.density) : 0.0f);
   glBindVertexArray(batch.mesh.array.get());
-  const Box visible = visibleBox(view.camera);
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   for (const GlTile& tile : batch.tiles) {
-    if (!meets(tile.box, visible)) continue;
+    if (!meets(tile.box, view.visible)) continue;
     if (!firsts.empty() && firsts.back() + counts.back() == tile.first) {
       counts.back() += tile.count;
     } else {

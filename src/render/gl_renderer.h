@@ -1,5 +1,6 @@
 // Draws a scene with OpenGL 3.3. The large layers are drawn once into a picture of their own and only again when
-// they, the camera or the size change; the small ones are laid over a copy of it.
+// they, the camera or the size change, and where few triangles have changed only there; the small ones are laid over a
+// copy of it.
 #pragma once
 
 #include <array>
@@ -30,15 +31,18 @@ class GlRenderer {
     Camera camera;
     double density = 1.0;
     Point origin;
+    Box visible;  // what is to be drawn of the world
   };
   struct Drawn {
-    std::array<std::uint64_t, kLayerCount> keys{};
+    std::array<std::uint64_t, kLayerCount> versions{};
     Camera camera;
     double density = 0.0;
     Color background;
     friend bool operator==(const Drawn&, const Drawn&) = default;
   };
 
+  void drawSome(const Scene& scene, const View& view, bool large);
+  void drawLarge(const Scene& scene, View view, const Drawn& wanted);
   void drawLayer(GlLayer& layer, const View& view);
   void drawTriangles(GlTriangles& batch, const View& view);
   void drawSquares(GlSquares& batch, const View& view);

@@ -28,11 +28,61 @@ void dim(Layer& layer) {
   for (auto& label : layer.labels) fade(label.color);
 }
 
-std::size_t markedIn(const Layer& mesh, const Theme& theme) {
-  std::size_t marked = 0;
+bool sameContent(const Layer& a, const Layer& b) {
+  return a.squares == b.squares && a.triangles == b.triangles && a.lines == b.lines && a.circles == b.circles &&
+         a.marks == b.marks && a.labels == b.labels;
+}
+
+void countMarked(Scene& scene, const detail::SceneInput& in, const Layer& mesh) {
+  scene.brushed = 0;
+  if (!in.options.brush.on) return;
   for (const TriangleBatch& batch : mesh.triangles)
-    marked += static_cast<std::size_t>(std::count(batch.fills.begin(), batch.fills.end(), theme.selection));
-  return marked;
+    scene.brushed += static_cast<std::size_t>(std::count(batch.fills.begin(), batch.fills.end(), in.theme.selection));
+}
+
+/// Builds a layer, or mends the one from before.
+void updateLayer(Scene& scene, const detail::SceneInput& in, const detail::LayerPart& part, std::uint64_t style) {
+  Layer& layer = scene.layers[static_cast<std::size_t>(part.id)];
+  const bool mended = part.patch != nullptr && layer.style == style && !in.once && part.patch(in, layer);
+  if (!mended) {
+    Layer built;
+    part.build(in, built);
+    if (part.id == LayerId::mesh) countMarked(scene, in, built);
+    if (in.options.dimmed) dim(built);
+    built.style = style;
+    built.version = layer.version;
+    const bool same = layer.key != 0 && sameContent(layer, built);
+    layer = std::move(built);
+    if (same) return;
+  } else {
+    countMarked(scene, in, layer);
+  }
+  layer.change.since = mended ? layer.version : 0;
+  layer.version = ++scene.versions;
+}
+
+void update(Scene& scene, const MeshState& state, const ViewOptions& options, const Event* current,
+            const Quality* quality, const InsertionView* insertion, bool once) {
+  scene.theme = themeOf(options.theme);
+  scene.bounds = state.domain ? state.domain->bounds : Box{};
+  scene.origin = scene.bounds.empty() ? Point{} : midpoint(scene.bounds.lo, scene.bounds.hi);
+
+  // The scene holds on to the domain that was hashed, so that no other can come to stand in its place.
+  if (scene.domain != state.domain) {
+    scene.domain = state.domain;
+    scene.domainHash = state.domain ? hashOf(*state.domain) : 0;
+  }
+
+  const detail::SceneInput in{state, options, scene.theme, scene.domainHash, current, quality, insertion, once};
+  const detail::KeyStart start = detail::keyStartOf(in);
+  for (const detail::LayerPart& part : detail::layerParts()) {
+    Layer& layer = scene.layers[static_cast<std::size_t>(part.id)];
+    const std::uint64_t key = (part.key(in, start) << part.id).value();
+    if (layer.key == key) continue;
+    updateLayer(scene, in, part, part.key(in, {start.run, start.run}).value());
+    layer.key = key;
+  }
+  scene.legend = detail::buildLegend(in, scene.brushed);
 }
 
 }  // namespace
@@ -53,34 +103,12 @@ DashPattern patternOf(Dash dash) {
 
 void updateScene(Scene& scene, const MeshState& state, const ViewOptions& options, const Event* current,
                  const Quality* quality, const InsertionView* insertion) {
-  scene.theme = themeOf(options.theme);
-  scene.bounds = state.domain ? state.domain->bounds : Box{};
-  scene.origin = scene.bounds.empty() ? Point{} : midpoint(scene.bounds.lo, scene.bounds.hi);
-
-  // The scene holds on to the domain that was hashed, so that no other can come to stand in its place.
-  if (scene.domain != state.domain) {
-    scene.domain = state.domain;
-    scene.domainHash = state.domain ? hashOf(*state.domain) : 0;
-  }
-
-  const detail::SceneInput in{state, options, scene.theme, scene.domainHash, current, quality, insertion};
-  const detail::KeyStart start = detail::keyStartOf(in);
-  for (const detail::LayerPart& part : detail::layerParts()) {
-    Layer& layer = scene.layers[static_cast<std::size_t>(part.id)];
-    const std::uint64_t key = (part.key(in, start) << part.id).value();
-    if (layer.key == key) continue;
-    layer = Layer{};
-    part.build(in, layer);
-    if (part.id == LayerId::mesh) scene.brushed = options.brush.on ? markedIn(layer, scene.theme) : 0;
-    if (options.dimmed) dim(layer);
-    layer.key = key;
-  }
-  scene.legend = detail::buildLegend(in, scene.brushed);
+  update(scene, state, options, current, quality, insertion, false);
 }
 
 Scene buildScene(const MeshState& state, const ViewOptions& options, const Event* current, const Quality* quality) {
   Scene scene;
-  updateScene(scene, state, options, current, quality);
+  update(scene, state, options, current, quality, nullptr, true);
   return scene;
 }
 

@@ -3,7 +3,7 @@
 // A scene is a stack of layers, drawn in the order of LayerId. Within a layer: squares, triangles, lines, circles,
 // marks, labels. Coordinates are in the world and are doubles (a renderer that wants floats subtracts Scene::origin
 // first); widths and sizes are in pixels at 100 % and do not grow with zoom.
-// A layer whose `key` is unchanged has the same content: keep what was uploaded for it.
+// A layer whose `version` is unchanged has the same content: keep what was uploaded for it.
 #pragma once
 
 #include <array>
@@ -41,6 +41,7 @@ struct LineStyle {
   float width = 1.0f;
   Dash dash = Dash::solid;
   bool fades = false;  // multiply alpha by wireFade(length in pixels)
+  friend bool operator==(const LineStyle&, const LineStyle&) = default;
 };
 
 /// Edges a few pixels long turn into shading instead of a black texture: 1 from 8 px on, 0.22 from 1.5 px down.
@@ -55,16 +56,19 @@ struct SquareBatch {
     Point corner;  // lower left
     double side = 0.0;
     Color fill;
+    friend bool operator==(const Square&, const Square&) = default;
   };
   std::vector<Square> squares;
   LineStyle outline;
+  friend bool operator==(const SquareBatch&, const SquareBatch&) = default;
 };
 
 using Index3 = std::array<std::uint32_t, 3>;
 using Index2 = std::array<std::uint32_t, 2>;
 
 /// Triangles over shared points. `fills` has one colour per triangle, or one for all, or none.
-/// `edges` names every edge once; they are drawn with `wire` (width 0: not drawn).
+/// `edges` names every edge once; they are drawn with `wire` (width 0: not drawn). In a scene that is brought up to
+/// date there are none, and the mesh has a triangle for each slot: one without extent where there is nothing to draw.
 struct TriangleBatch {
   std::vector<Point> points;
   std::vector<Index3> triangles;
@@ -72,6 +76,7 @@ struct TriangleBatch {
   std::vector<Index2> edges;
   LineStyle wire;
   bool hatched = false;  // fills are drawn as diagonal hatching in their colour
+  friend bool operator==(const TriangleBatch&, const TriangleBatch&) = default;
 };
 
 /// Segments over shared points; successive segments that share a point form a polyline (dashes run on).
@@ -79,6 +84,7 @@ struct LineBatch {
   std::vector<Point> points;
   std::vector<Index2> segments;
   LineStyle style;
+  friend bool operator==(const LineBatch&, const LineBatch&) = default;
 };
 
 struct Circle {
@@ -86,6 +92,7 @@ struct Circle {
   double radius = 0.0;         // world
   float minimumRadius = 0.0f;  // pixels: drawn no smaller than this, so that it can be found
   LineStyle style;
+  friend bool operator==(const Circle&, const Circle&) = default;
 };
 
 struct MarkBatch {
@@ -95,6 +102,7 @@ struct MarkBatch {
   float size = 6.0f;  // pixels across
   Color fill;         // line colour for ring and cross
   Color outline;      // 1 px; alpha 0: none
+  friend bool operator==(const MarkBatch&, const MarkBatch&) = default;
 };
 
 /// Marks are drawn at `size`, smaller (never below 2 px) where their spacing is few pixels, so that they never touch.
@@ -114,10 +122,21 @@ struct Label {
   Color halo;  // drawn around the glyphs so that they read over lines
   float size = 13.0f;
   Anchor anchor = Anchor::left;
+  friend bool operator==(const Label&, const Label&) = default;
+};
+
+/// What one version of a layer differs in from the one before, where that is little.
+struct LayerChange {
+  std::uint64_t since = 0;               // the version before; 0: everything may differ
+  std::vector<std::uint32_t> triangles;  // of the first batch of triangles
+  Box where;                             // holds them, as they were and as they are
 };
 
 struct Layer {
-  std::uint64_t key = 0;  // of what it was built from; 0: never built
+  std::uint64_t key = 0;      // of what it was built from; 0: never built
+  std::uint64_t style = 0;    // the same but for the moment of the run
+  std::uint64_t version = 0;  // of the content, from 1
+  LayerChange change;
   std::vector<SquareBatch> squares;
   std::vector<TriangleBatch> triangles;
   std::vector<LineBatch> lines;
@@ -146,8 +165,9 @@ struct Scene {
   Theme theme;
   std::shared_ptr<const Domain> domain;
   std::uint64_t domainHash = 0;
-  Box bounds;    // of the domain
-  Point origin;  // middle of the bounds: subtract before converting to float
+  Box bounds;                  // of the domain
+  Point origin;                // middle of the bounds: subtract before converting to float
+  std::uint64_t versions = 0;  // of layers that there have been
   [[nodiscard]] const Layer& layer(LayerId id) const { return layers[static_cast<std::size_t>(id)]; }
 };
 
@@ -163,6 +183,7 @@ struct InsertionView {
 /// instead of `current`.
 void updateScene(Scene& scene, const MeshState& state, const ViewOptions& options, const Event* current,
                  const Quality* quality, const InsertionView* insertion = nullptr);
+/// A scene to be drawn once.
 Scene buildScene(const MeshState& state, const ViewOptions& options, const Event* current, const Quality* quality);
 
 }  // namespace triscope

@@ -66,7 +66,7 @@ LayerKey selectionKey(const SceneInput& in, const KeyStart& start) {
 
 constexpr std::array<LayerPart, kLayerCount> kParts{
     LayerPart{LayerId::cells, cellsKey, buildCells},
-    LayerPart{LayerId::mesh, meshKey, buildMesh},
+    LayerPart{LayerId::mesh, meshKey, buildMesh, patchMesh},
     LayerPart{LayerId::boundary, boundaryKey, buildBoundary},
     LayerPart{LayerId::points, pointsKey, buildPoints},
     LayerPart{LayerId::fronts, frontsKey, buildFronts},

@@ -39,10 +39,13 @@ KeyStart keyStartOf(const SceneInput& in);
 struct LayerPart {
   using KeyOf = LayerKey (*)(const SceneInput&, const KeyStart&);
   using Build = void (*)(const SceneInput&, Layer&);
-  constexpr LayerPart(LayerId which, KeyOf keyOf, Build fill) : id(which), key(keyOf), build(fill) {}
+  using Patch = bool (*)(const SceneInput&, Layer&);
+  constexpr LayerPart(LayerId which, KeyOf keyOf, Build fill, Patch mend = nullptr)
+      : id(which), key(keyOf), build(fill), patch(mend) {}
   LayerId id;
   KeyOf key;
   Build build;
+  Patch patch;  // null: it is built anew
 };
 
 /// One entry per LayerId, in order.

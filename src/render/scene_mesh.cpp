@@ -1,10 +1,9 @@
-// The triangulation and its points: what Figure 4 shows. Linear passes over flat arrays, no allocation per element.
+// The triangulation: what Figure 4 shows. Linear passes over flat arrays, no allocation per element.
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <optional>
 
 #include "core/density/wanted.h"
-#include "render/boundary_points.h"
 #include "render/scene_parts.h"
 
 namespace triscope::detail {
@@ -51,75 +50,155 @@ float measureOne(const Mesh& mesh, const Triangle& t, TriangleFill fill) {
   return 0.0f;
 }
 
-std::vector<float> areaRatios(const Mesh& mesh) {
-  std::vector<double> area(mesh.triangles.size(), 0.0);
-  for (size_t i = 0; i < area.size(); ++i) {
-    if (mesh.alive(static_cast<std::int32_t>(i))) area[i] = areaOf(mesh, mesh.triangles[i]);
+float areaRatio(const Mesh& mesh, const Triangle& t) {
+  const double area = areaOf(mesh, t);
+  if (area <= 0.0) return 0.0f;
+  double worst = 1.0;
+  for (const std::int32_t half : t.adj) {
+    const double other = half < 0 ? 0.0 : areaOf(mesh, mesh.triangles[at(triangleOf(half))]);
+    if (other > 0.0) worst = std::max({worst, other / area, area / other});
   }
-  std::vector<float> ratio(area.size(), 0.0f);
-  for (size_t i = 0; i < area.size(); ++i) {
-    if (area[i] <= 0.0) continue;
-    double worst = 1.0;
-    for (const std::int32_t half : mesh.triangles[i].adj) {
-      if (half < 0) continue;
-      const double other = area[at(triangleOf(half))];
-      if (other > 0.0) worst = std::max({worst, other / area[i], area[i] / other});
+  return static_cast<float>(worst);
+}
+
+/// What triangles are filled with.
+class Fills {
+ public:
+  explicit Fills(const SceneInput& in) : in_(in) {
+    const bool cellsShow = drawsCells(in) && in.options.cells != CellColoring::none;
+    plain_ = cellsShow ? Color{0, 0, 0, 0} : in.theme.domainFill;
+    if (in.options.fill == TriangleFill::density) ranks_ = rankRange(in.state.tree);
+  }
+
+  /// The same for all triangles.
+  [[nodiscard]] bool alike() const {
+    return in_.options.fill == TriangleFill::plain && !in_.options.obtuse && !in_.options.brush.on;
+  }
+  [[nodiscard]] Color plain() const { return plain_; }
+  /// Whether a triangle's depends on its neighbours.
+  [[nodiscard]] bool ofPairs() const {
+    const ViewOptions& o = in_.options;
+    return o.fill == TriangleFill::area_ratio || (o.brush.on && o.brush.measure == TriangleFill::area_ratio);
+  }
+
+  [[nodiscard]] Color of(std::int32_t slot) const {
+    const ViewOptions& o = in_.options;
+    if (o.brush.on) {
+      const auto low = static_cast<double>(static_cast<float>(o.brush.low));  // the least value is its own bar's end
+      const auto value = static_cast<double>(measureSlot(in_.state, slot, o.brush.measure));
+      if (value >= low && value <= o.brush.high) return in_.theme.selection;
     }
-    ratio[i] = static_cast<float>(worst);
+    if (o.obtuse && isObtuse(in_.state.mesh, triangleAt(in_.state.mesh, slot))) return in_.theme.obtuse;
+    if (o.fill == TriangleFill::plain) return plain_;
+    const float value = measureSlot(in_.state, slot, o.fill);
+    if (o.fill == TriangleFill::density)
+      return rankColor(o.scale, in_.theme, static_cast<int>(value), ranks_.lowest, ranks_.highest);
+    return measureColor(o, in_.theme, static_cast<double>(value));
   }
-  return ratio;
+
+ private:
+  const SceneInput& in_;
+  Color plain_;
+  RankRange ranks_;
+};
+
+constexpr Index3 kHole{0, 0, 0};
+
+Index3 cornersOf(const Triangle& t) {
+  return {static_cast<std::uint32_t>(t.v[0]), static_cast<std::uint32_t>(t.v[1]), static_cast<std::uint32_t>(t.v[2])};
 }
 
-// Typical distance to the neighbours of a vertex, from the density rank where it was placed.
-float spacingOf(const MeshState& state, std::int32_t vertex) {
-  return static_cast<float>(edgeLengthOf(state.tree, std::max<int>(1, state.mesh.density[at(vertex)])));
-}
+/// Which triangles of a mesh are inside of the box around everything, as all are once it is gone.
+class Inner {
+ public:
+  explicit Inner(const Mesh& mesh)
+      : mesh_(mesh), box_(std::find(mesh.kinds.begin(), mesh.kinds.end(), VertexKind::helper) != mesh.kinds.end()) {}
+  [[nodiscard]] bool has(std::int32_t slot) const {
+    return mesh_.alive(slot) && !(box_ && touchesHelper(mesh_, triangleAt(mesh_, slot)));
+  }
 
-MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {
-  MarkBatch batch;
-  batch.shape = shape;
-  batch.size = size;
-  batch.fill = fill;
-  batch.outline = outline;
-  return batch;
-}
+ private:
+  const Mesh& mesh_;
+  bool box_;
+};
 
-void addFills(const SceneInput& in, TriangleBatch& batch, const std::vector<std::int32_t>& slots) {
+/// A triangle for each slot, and room for slots to come.
+void fillBySlot(const SceneInput& in, TriangleBatch& batch) {
   const Mesh& mesh = in.state.mesh;
-  const ViewOptions& o = in.options;
-  const bool cellsShow = drawsCells(in) && o.cells != CellColoring::none;
-  const Color plain = cellsShow ? Color{0, 0, 0, 0} : in.theme.domainFill;
-  if (o.fill == TriangleFill::plain && !o.obtuse && !o.brush.on) {
-    if (plain.a > 0) batch.fills.push_back(plain);
-    return;
+  const Inner inner(mesh);
+  const Fills fills(in);
+  batch.triangles.resize(mesh.triangles.size() + mesh.triangles.size() / 64 + 64, kHole);
+  if (!fills.alike()) batch.fills.resize(batch.triangles.size(), fills.plain());
+  for (size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    const auto here = static_cast<std::int32_t>(slot);
+    if (!inner.has(here)) continue;
+    batch.triangles[slot] = cornersOf(mesh.triangles[slot]);
+    if (!fills.alike()) batch.fills[slot] = fills.of(here);
   }
-  batch.fills.assign(slots.size(), plain);
-  if (o.fill != TriangleFill::plain) {
-    const std::vector<float> values = measureSlots(in.state, o.fill);
-    if (o.fill == TriangleFill::density) {
-      const RankRange range = rankRange(in.state.tree);
-      for (size_t k = 0; k < slots.size(); ++k) {
-        batch.fills[k] =
-            rankColor(o.scale, in.theme, static_cast<int>(values[at(slots[k])]), range.lowest, range.highest);
-      }
-    } else {
-      for (size_t k = 0; k < slots.size(); ++k) {
-        batch.fills[k] = measureColor(o, in.theme, static_cast<double>(values[at(slots[k])]));
-      }
+  if (fills.alike() && fills.plain().a > 0) batch.fills.push_back(fills.plain());
+}
+
+/// The triangles that there are, and the edges.
+void fillOnce(const SceneInput& in, TriangleBatch& inner, TriangleBatch& helper) {
+  const Mesh& mesh = in.state.mesh;
+  const Inner inside(mesh);
+  const Fills fills(in);
+  inner.triangles.reserve(mesh.liveCount());
+  inner.edges.reserve(mesh.liveCount() * 3 / 2 + 64);
+  if (fills.alike() && fills.plain().a > 0) inner.fills.push_back(fills.plain());
+  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+    if (!mesh.alive(slot)) continue;
+    const Triangle& t = mesh.triangles[at(slot)];
+    const bool outer = !inside.has(slot);
+    if (!outer) {
+      inner.triangles.push_back(cornersOf(t));
+      if (!fills.alike()) inner.fills.push_back(fills.of(slot));
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (t.adj[at(i)] > 3 * slot + i) continue;  // the other side names this edge
+      const std::int32_t a = t.v[at(next3(i))];
+      const std::int32_t b = t.v[at(prev3(i))];
+      const bool outerEdge =
+          outer && (mesh.kinds[at(a)] == VertexKind::helper || mesh.kinds[at(b)] == VertexKind::helper);
+      (outerEdge ? helper : inner).edges.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
     }
   }
-  if (o.obtuse) {
-    for (size_t k = 0; k < slots.size(); ++k) {
-      if (isObtuse(mesh, mesh.triangles[at(slots[k])])) batch.fills[k] = in.theme.obtuse;
-    }
+}
+
+/// Which points lie elsewhere than they did; empty when none does. One that is new belongs to new triangles only.
+std::vector<std::uint8_t> movedPoints(const std::vector<Point>& before, const std::vector<Point>& now) {
+  std::vector<std::uint8_t> moved;
+  const size_t both = std::min(before.size(), now.size());
+  for (size_t v = 0; v < both; ++v) {
+    if (before[v] == now[v]) continue;
+    if (moved.empty()) moved.resize(std::max(before.size(), now.size()), 0);
+    moved[v] = 1;
   }
-  if (o.brush.on) {
-    const std::vector<float> values = measureSlots(in.state, o.brush.measure);
-    const auto low = static_cast<double>(static_cast<float>(o.brush.low));  // the least value is its own bar's end
-    for (size_t k = 0; k < slots.size(); ++k) {
-      const auto value = static_cast<double>(values[at(slots[k])]);
-      if (value >= low && value <= o.brush.high) batch.fills[k] = in.theme.selection;
-    }
+  return moved;
+}
+
+/// Triangles of a batch by slot that are not as they are in the mesh; nothing when they are more than a few.
+std::optional<std::vector<std::uint32_t>> differing(const TriangleBatch& batch, const Mesh& mesh) {
+  constexpr size_t kMost = 4096;
+  const std::vector<std::uint8_t> moved = movedPoints(batch.points, mesh.points);
+  const Inner inner(mesh);
+  std::vector<std::uint32_t> slots;
+  for (size_t slot = 0; slot < batch.triangles.size(); ++slot) {
+    const bool there = slot < mesh.triangles.size() && inner.has(static_cast<std::int32_t>(slot));
+    const Index3 now = there ? cornersOf(mesh.triangles[slot]) : kHole;
+    if (now == batch.triangles[slot] && (!there || moved.empty() || !(moved[now[0]] | moved[now[1]] | moved[now[2]])))
+      continue;
+    if (slots.size() == kMost) return std::nullopt;
+    slots.push_back(static_cast<std::uint32_t>(slot));
+  }
+  return slots;
+}
+
+void addNeighbours(std::vector<std::uint32_t>& slots, const Mesh& mesh) {
+  for (size_t k = slots.size(); k-- > 0;) {
+    if (slots[k] >= mesh.triangles.size()) continue;
+    for (const std::int32_t half : mesh.triangles[slots[k]].adj)
+      if (half >= 0) slots.push_back(static_cast<std::uint32_t>(triangleOf(half)));
   }
 }
 
@@ -144,21 +223,13 @@ MeasureScale scaleOf(TriangleFill fill) {
   return {};
 }
 
-std::vector<float> measureSlots(const MeshState& state, TriangleFill fill) {
+float measureSlot(const MeshState& state, std::int32_t slot, TriangleFill fill) {
   const Mesh& mesh = state.mesh;
-  if (fill == TriangleFill::area_ratio) return areaRatios(mesh);
-  std::vector<float> values(mesh.triangles.size(), 0.0f);
-  for (size_t i = 0; i < values.size(); ++i) {
-    if (!mesh.alive(static_cast<std::int32_t>(i))) continue;
-    const Triangle& t = mesh.triangles[i];
-    if (fill == TriangleFill::density) {
-      const Point sum = mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])];
-      values[i] = static_cast<float>(wantedAt(state.tree, (1.0 / 3.0) * sum).value_or(Wanted{}).rank);
-    } else {
-      values[i] = measureOne(mesh, t, fill);
-    }
-  }
-  return values;
+  const Triangle& t = triangleAt(mesh, slot);
+  if (fill == TriangleFill::area_ratio) return areaRatio(mesh, t);
+  if (fill != TriangleFill::density) return measureOne(mesh, t, fill);
+  const Point sum = mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])];
+  return static_cast<float>(wantedAt(state.tree, (1.0 / 3.0) * sum).value_or(Wanted{}).rank);
 }
 
 Color measureColor(const ViewOptions& options, const Theme& theme, double value) {
@@ -171,33 +242,12 @@ Color measureColor(const ViewOptions& options, const Theme& theme, double value)
 void buildMesh(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   if (!in.options.triangulation || mesh.triangles.empty()) return;
-  const auto slotCount = static_cast<std::int32_t>(mesh.triangles.size());
-
   TriangleBatch inner;
   TriangleBatch helper;
-  std::vector<std::int32_t> innerSlots;
-  innerSlots.reserve(mesh.liveCount());
-  inner.triangles.reserve(mesh.liveCount());
-  inner.edges.reserve(mesh.liveCount() * 3 / 2 + 64);
-  for (std::int32_t slot = 0; slot < slotCount; ++slot) {
-    if (!mesh.alive(slot)) continue;
-    const Triangle& t = mesh.triangles[at(slot)];
-    const bool outer = touchesHelper(mesh, t);
-    if (!outer) {
-      inner.triangles.push_back(
-          {static_cast<std::uint32_t>(t.v[0]), static_cast<std::uint32_t>(t.v[1]), static_cast<std::uint32_t>(t.v[2])});
-      innerSlots.push_back(slot);
-    }
-    for (int i = 0; i < 3; ++i) {
-      if (t.adj[at(i)] > 3 * slot + i) continue;  // the other side names this edge
-      const std::int32_t a = t.v[at(next3(i))];
-      const std::int32_t b = t.v[at(prev3(i))];
-      const bool outerEdge =
-          outer && (mesh.kinds[at(a)] == VertexKind::helper || mesh.kinds[at(b)] == VertexKind::helper);
-      (outerEdge ? helper : inner).edges.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
-    }
-  }
-  addFills(in, inner, innerSlots);
+  if (in.once)
+    fillOnce(in, inner, helper);
+  else
+    fillBySlot(in, inner);
   inner.points = mesh.points;
   inner.wire = {in.theme.wire, 0.9f, Dash::solid, true};
   if (in.options.helpers && !helper.edges.empty()) {
@@ -208,61 +258,38 @@ void buildMesh(const SceneInput& in, Layer& layer) {
   layer.triangles.push_back(std::move(inner));
 }
 
-void buildPoints(const SceneInput& in, Layer& layer) {
-  const MeshState& state = in.state;
-  const Theme& theme = in.theme;
-  MarkBatch placed = markBatch(Shape::circle, 4.0f, theme.placed, {0, 0, 0, 0});
-  MarkBatch kept = markBatch(Shape::square, 5.0f, theme.kept, {0, 0, 0, 0});
-  MarkBatch split = markBatch(Shape::ring, 5.5f, theme.placed, {0, 0, 0, 0});
-  MarkBatch steiner = markBatch(Shape::triangle, 5.5f, theme.steiner, {0, 0, 0, 0});
-  const auto add = [](MarkBatch& batch, Point p, float spacing) {
-    batch.at.push_back(p);
-    batch.spacing.push_back(spacing);
-  };
-  if (in.options.boundaryPoints && state.mesh.points.empty()) {
-    for (const size_t index : distinctBoundaryPoints(state)) {
-      const BoundaryPoint& p = state.boundary[index];
-      add(p.kept ? kept : placed, p.at, static_cast<float>(wantedAt(state.tree, p.at).value_or(Wanted{}).length));
-    }
-  }
-  for (size_t i = 0; i < state.mesh.points.size(); ++i) {
-    const VertexKind kind = state.mesh.kinds[i];
-    if (kind < VertexKind::kept || kind > VertexKind::steiner) continue;
-    const bool onBoundary = kind <= VertexKind::split;
-    const bool wanted = onBoundary ? in.options.boundaryPoints : in.options.steiner && kind == VertexKind::steiner;
-    if (!wanted) continue;
-    MarkBatch& batch = kind == VertexKind::kept       ? kept
-                       : kind == VertexKind::boundary ? placed
-                       : kind == VertexKind::split    ? split
-                                                      : steiner;
-    add(batch, state.mesh.points[i], spacingOf(state, static_cast<std::int32_t>(i)));
-  }
-  for (MarkBatch* batch : {&steiner, &placed, &split, &kept}) {
-    if (!batch->at.empty()) layer.marks.push_back(std::move(*batch));
-  }
-}
-
-std::vector<std::int32_t> frontInMesh(const Mesh& mesh, const std::vector<std::int32_t>& front) {
-  std::vector<std::int32_t> there;
-  std::copy_if(front.begin(), front.end(), std::back_inserter(there), [&mesh](std::int32_t vertex) {
-    return vertex >= 0 && at(vertex) < mesh.points.size() && mesh.kinds[at(vertex)] != VertexKind::removed;
-  });
-  return there;
-}
-
-void buildFronts(const SceneInput& in, Layer& layer) {
-  if (!in.options.fronts) return;
+bool patchMesh(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
-  const auto add = [&](const std::vector<std::int32_t>& front, Shape shape, float size, Color color) {
-    MarkBatch batch = markBatch(shape, size, color, in.theme.background);
-    for (const std::int32_t vertex : frontInMesh(mesh, front)) {
-      batch.at.push_back(mesh.points[at(vertex)]);
-      batch.spacing.push_back(spacingOf(in.state, vertex));
-    }
-    if (!batch.at.empty()) layer.marks.push_back(std::move(batch));
+  if (layer.triangles.size() != 1 || in.options.dimmed || !in.options.triangulation || mesh.triangles.empty())
+    return false;
+  TriangleBatch& batch = layer.triangles.front();
+  const Fills fills(in);
+  const bool alike = batch.fills.size() <= 1;
+  if (mesh.triangles.size() > batch.triangles.size() || alike != fills.alike()) return false;
+  if (alike && (batch.fills.empty() ? fills.plain().a > 0 : batch.fills.front() != fills.plain())) return false;
+  std::optional<std::vector<std::uint32_t>> slots = differing(batch, mesh);
+  if (!slots) return false;
+  if (fills.ofPairs()) addNeighbours(*slots, mesh);
+
+  Box where;
+  const auto include = [&](const std::vector<Point>& points, const Index3& t) {
+    if (t == kHole) return;
+    for (const std::uint32_t v : t) where.include(points[v]);
   };
-  add(in.state.front1, Shape::circle, 7.0f, in.theme.front1);
-  add(in.state.front2, Shape::diamond, 8.5f, in.theme.front2);
+  const Inner inner(mesh);
+  for (const std::uint32_t slot : *slots) include(batch.points, batch.triangles[slot]);
+  for (const std::uint32_t slot : *slots) {
+    const auto here = static_cast<std::int32_t>(slot);
+    const bool there = slot < mesh.triangles.size() && inner.has(here);
+    batch.triangles[slot] = there ? cornersOf(mesh.triangles[slot]) : kHole;
+    include(mesh.points, batch.triangles[slot]);
+    if (there && !alike) batch.fills[slot] = fills.of(here);
+    if (!there && !alike) batch.fills[slot] = fills.plain();
+  }
+  batch.points = mesh.points;
+  layer.change.triangles = std::move(*slots);
+  layer.change.where = where;
+  return true;
 }
 
 }  // namespace triscope::detail

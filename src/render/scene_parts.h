@@ -14,6 +14,7 @@ struct SceneInput {
   const Event* current = nullptr;
   const Quality* quality = nullptr;
   const InsertionView* insertion = nullptr;
+  bool once = false;  // a picture of its own, and not a scene that is brought up to date
 };
 
 /// Ranks in use among the leaves that are shown, for the colour scale.
@@ -30,6 +31,9 @@ bool drawsCells(const SceneInput& in);
 
 void buildCells(const SceneInput& in, Layer& layer);
 void buildMesh(const SceneInput& in, Layer& layer);
+/// Brings the layer of another moment, which looked the same otherwise, up to date in the few places that differ, and
+/// notes them. False when they are not few: then nothing has been done.
+bool patchMesh(const SceneInput& in, Layer& layer);
 void buildBoundary(const SceneInput& in, Layer& layer);
 void buildPoints(const SceneInput& in, Layer& layer);
 /// The vertices of a front that are still in the mesh: those that are drawn and counted.
@@ -72,7 +76,7 @@ struct MeasureScale {
   double bound = 0.0;
 };
 MeasureScale scaleOf(TriangleFill fill);
-std::vector<float> measureSlots(const MeshState& state, TriangleFill fill);
+float measureSlot(const MeshState& state, std::int32_t slot, TriangleFill fill);
 Color measureColor(const ViewOptions& options, const Theme& theme, double value);
 
 }  // namespace triscope::detail

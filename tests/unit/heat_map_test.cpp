@@ -41,13 +41,13 @@ class NotingCanvas : public Canvas {
   void fillRects(std::span<const FilledRect> more) override {
     out_.rects.insert(out_.rects.end(), more.begin(), more.end());
   }
-  void fillTriangles(std::span<const Point>, std::span<const Index3>, std::span<const Color>, bool) override {}
+  void fillTriangles(std::span<const Pixel>, std::span<const Index3>, std::span<const Color>, bool) override {}
   void stroke(const Paths&, const LineStyle& style) override { out_.strokes.push_back(style.color); }
-  void circle(Point, double, const LineStyle&) override { ++out_.circles; }
+  void circle(Pixel, double, const LineStyle&) override { ++out_.circles; }
   void marks(std::span<const PlacedMark> more, Shape shape, Color, Color) override {
     out_.shapes.insert(out_.shapes.end(), more.size(), shape);
   }
-  void text(Point, std::string_view words, const TextStyle&) override { out_.texts.emplace_back(words); }
+  void text(Pixel, std::string_view words, const TextStyle&) override { out_.texts.emplace_back(words); }
 
  private:
   Drawn& out_;
@@ -135,7 +135,7 @@ TEST(HeatMap, MarksTheBestThePlaceAndWhatIsCrossed) {
   HeatMap made = map(3, 3);
   made.best = 4;
   made.cells[2].crossed = true;
-  made.here = Point{1.0, 2.0};
+  made.here = Pixel{1.0, 2.0};
   Drawn canvas = drawn(made, {0, 0, 400, 200});
   EXPECT_EQ(canvas.shapes, (std::vector<Shape>{Shape::cross, Shape::diamond}));
   EXPECT_EQ(canvas.circles, 0u);
@@ -143,7 +143,7 @@ TEST(HeatMap, MarksTheBestThePlaceAndWhatIsCrossed) {
   EXPECT_EQ(std::count(canvas.strokes.begin(), canvas.strokes.end(), chosen), 1) << "round the cell";
   const Drawn small = drawn(made, {0, 0, 60, 60});
   EXPECT_EQ(small.shapes, canvas.shapes) << "in small cells too";
-  made.here = Point{1.0, 1.5};  // between two cells
+  made.here = Pixel{1.0, 1.5};  // between two cells
   EXPECT_EQ(drawn(made, {0, 0, 400, 200}).circles, 2u);
 }
 
@@ -168,7 +168,7 @@ TEST(HeatMap, LegendSaysWhatIsThere) {
     return list;
   };
   EXPECT_EQ(labels(), (std::vector<std::string>{"figure"}));
-  made.here = Point{0.5, 0.0};
+  made.here = Pixel{0.5, 0.0};
   EXPECT_EQ(labels(), (std::vector<std::string>{"figure", "here"}));
   made.best = 0;
   made.cells[1].crossed = true;

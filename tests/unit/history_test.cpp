@@ -7,6 +7,8 @@
 #include <string>
 
 #include "core/domain/read.h"
+#include "core/run/driver.h"
+#include "core/run/travel.h"
 
 namespace triscope {
 namespace {
@@ -89,6 +91,38 @@ TEST(History, ChangingTheSmallestEdgeKeepsTheStartOnly) {
   settings.curvatureTurn = 20.0;
   EXPECT_EQ(history.changeSettings(settings), 0u);
   EXPECT_EQ(history.count(), 1u);
+}
+
+TEST(History, KeepsOneMoreKeyframeNearWhatWasSoughtLast) {
+  constexpr std::uint64_t kStride = 509;
+  const std::size_t budget = std::size_t{5} << 19;
+  const MeshState first = start("naca0012");
+  const Forward forward = runForward(first, budget, kStride);
+  Driver driver;
+  driver.run = runFrom(first, budget);
+  std::vector<Event> fresh;
+  const auto go = [&](const Goal& goal) {
+    headFor(driver, goal);
+    while (!isThere(driver)) carryOn(driver, 1u << 20u, {}, fresh);
+  };
+  go({.kind = Goal::Kind::end});
+  ASSERT_GT(driver.run.history.spacing(), 4000u) << "far apart, or there is nothing to see here";
+  for (std::size_t k = 0; k < 40; ++k) {
+    const std::size_t place = (k * 29 + 17) % forward.hashes.size();
+    const std::uint64_t tick = place * kStride;
+    go(towardsTick(driver.run, tick));
+    ASSERT_EQ(hashOf(driver.run.state), forward.hashes[place]) << "sought decision " << tick;
+    EXPECT_LE(driver.run.history.bytes(), budget);
+    const std::uint64_t near = driver.run.history.before(tick).state.tick;
+    EXPECT_LE(tick - near, 16'384u) << tick;
+    // Back over it, and to the place again.
+    for (int back = 0; back < 3; ++back) go(Goal(triscope::back(driver.run, Grain::decision)));
+    EXPECT_EQ(driver.run.state.tick, tick >= 3 ? tick - 3 : 0);
+    go(towardsTick(driver.run, tick));
+    ASSERT_EQ(hashOf(driver.run.state), forward.hashes[place]);
+  }
+  forgetWhatFollows(driver.run);
+  EXPECT_LE(driver.run.history.before(~std::uint64_t{0}).state.tick, driver.run.state.tick);
 }
 
 }  // namespace

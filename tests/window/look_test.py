@@ -26,6 +26,23 @@ class Look(harness.WindowTest):
             self.window.wait(lambda s: s["theme"] != state["theme"], "another theme")
         self.assertEqual(seen, {"light", "dark", "high_contrast"})
 
+    def test_what_is_drawn_in_places_looks_as_if_drawn_as_a_whole(self):
+        self.window.key("w")  # the circles of the worst triangles would cover much of the mesh
+        for keys in (["Left"] * 9 + ["Right"] * 4, ["shift+Left"] * 5 + ["Left"] * 3, ["2", "Left", "Left", "Right"]):
+            self.window.key(*keys)
+            theme = self.window.settled()["theme"]
+            left, top, width, height = self.window.canvas()
+            mended = self.window.image()
+            for _ in range(3):  # another theme has the whole of it drawn anew
+                before = self.window.settled()["theme"]
+                self.window.key("ctrl+t")
+                self.window.wait(lambda s, t=before: s["theme"] != t, "another theme")
+            self.assertEqual(self.window.settled()["theme"], theme)
+            anew = self.window.image()
+            for row in range(int(top), int(top + height)):
+                start, end = (3 * (row * anew.width + int(x)) for x in (left, left + width))
+                self.assertEqual(mended.data[start:end], anew.data[start:end], f"row {row} after {keys}")
+
     def test_scales_keep_everything_on_the_screen(self):
         small = self.window.settled()["widgets"]["open"][3]
         for scale in (0.75, 1.5, 2.0, 3.0):

@@ -8,6 +8,8 @@
 #include "core/geometry/predicates.h"
 #include "core/geometry/trig.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/mesh_changes.h"
+#include "core/quality/quality_parts.h"
 
 namespace triscope {
 namespace {
@@ -19,32 +21,6 @@ double angleAt(Point apex, Point a, Point b) {
   const double angle = trig::angleBetween(a - apex, b - apex);
   return (angle < 0.0 ? -angle : angle) / trig::kDegree;
 }
-
-/// The worst value seen and where; equal values go to the lowest id, whatever the order of the slots.
-struct WorstFigure {
-  double value = 0.0;
-  std::uint32_t id = 0;
-  std::int32_t slot = -1;
-  std::int32_t other = -1;
-
-  void take(bool worse, const WorstFigure& candidate) {
-    if (slot == -1 || worse || (candidate.value == value && candidate.id < id)) *this = candidate;
-  }
-  void takeLargest(const WorstFigure& candidate) { take(candidate.value > value, candidate); }
-  void takeSmallest(const WorstFigure& candidate) { take(candidate.value < value, candidate); }
-};
-
-/// A running sum that keeps what each addition rounds away.
-struct Sum {
-  double total = 0.0;
-  double lost = 0.0;
-  void add(double value) {
-    const exact::Pair sum = exact::twoSum(total, value);
-    total = sum.high;
-    lost += sum.low;
-  }
-  [[nodiscard]] double result() const { return total + lost; }
-};
 
 struct TriangleSide {
   double squared;
@@ -81,9 +57,7 @@ TriangleQuality withoutAngles(Point a, Point b, Point c, TriangleSide (&sides)[3
 double smallestAngle(const TriangleSide (&sides)[3]) {
   return angleAt(sides[0].opposite, sides[1].opposite, sides[2].opposite);
 }
-double largestAngle(const TriangleSide (&sides)[3]) {
-  return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite);
-}
+double largestAngle(const TriangleSide (&sides)[3]) { return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite); }
 
 // Cosine of the angle between two sides, by their squares and that of the third: to see which angles are worth an arc
 // tangent. Not a number, as anything compared with it is false, for a side without length.
@@ -91,6 +65,134 @@ double roughCosine(double left, double right, double opposite) {
   return (left + right - opposite) / (2.0 * std::sqrt(left * right));
 }
 constexpr double kClearly = 1e-9;  // cosines this far apart are those of different angles
+
+constexpr std::size_t kPart = 1024;  // slots
+
+std::size_t partsOf(const Mesh& mesh) { return (mesh.triangles.size() + kPart - 1) / kPart; }
+
+void take(WorstSeen& seen, bool worse, const WorstSeen& candidate) {
+  if (seen.slot == -1 || worse || (candidate.value == seen.value && candidate.id < seen.id)) seen = candidate;
+}
+void takeLargest(WorstSeen& seen, const WorstSeen& candidate) { take(seen, candidate.value > seen.value, candidate); }
+void takeSmallest(WorstSeen& seen, const WorstSeen& candidate) { take(seen, candidate.value < seen.value, candidate); }
+
+void add(RunningSum& sum, double value) {
+  const exact::Pair both = exact::twoSum(sum.total, value);
+  sum.total = both.high;
+  sum.lost += both.low;
+}
+double resultOf(const RunningSum& sum) { return sum.total + sum.lost; }
+
+bool counts(const Mesh& mesh, std::int32_t slot) { return mesh.alive(slot) && !touchesHelper(mesh, slot); }
+
+void addPairs(QualityPart& part, const Mesh& mesh, std::int32_t slot) {
+  const double here = 0.5 * std::fabs(twiceArea(mesh, slot));
+  const std::uint32_t id = mesh.ids[at(slot)];
+  for (const std::int32_t across : mesh.triangles[at(slot)].adj) {
+    const std::int32_t other = across / 3;
+    if (across < 0 || other < slot || !counts(mesh, other)) continue;  // no neighbour, or looked at from there
+    const double there = 0.5 * std::fabs(twiceArea(mesh, other));
+    const std::uint32_t otherId = mesh.ids[at(other)];
+    const bool hereFirst = here > there || (here == there && id < otherId);
+    const double smaller = hereFirst ? there : here;
+    takeLargest(part.areaRatio, {smaller > 0.0 ? (hereFirst ? here : there) / smaller : kInfinity,
+                                 hereFirst ? id : otherId, hereFirst ? slot : other, hereFirst ? other : slot});
+  }
+}
+
+QualityPart measurePart(const Mesh& mesh, std::size_t which) {
+  QualityPart part;
+  double smallest = -1.0, largest = 1.0;  // cosines of the smallest and of the largest angle so far
+  const auto end = static_cast<std::int32_t>(std::min((which + 1) * kPart, mesh.triangles.size()));
+  for (auto slot = static_cast<std::int32_t>(which * kPart); slot < end; ++slot) {
+    if (!counts(mesh, slot)) continue;
+    const auto& v = mesh.triangles[at(slot)].v;
+    TriangleSide sides[3];
+    const TriangleQuality t = withoutAngles(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])], sides);
+    const double ofSmallest = roughCosine(sides[1].squared, sides[2].squared, sides[0].squared);
+    const double ofLargest = roughCosine(sides[0].squared, sides[1].squared, sides[2].squared);
+    const std::uint32_t id = mesh.ids[at(slot)];
+    takeLargest(part.aspect, {t.aspect, id, slot});
+    takeLargest(part.edgeRatio, {t.edgeRatio, id, slot});
+    if (!(ofSmallest < smallest - kClearly)) {
+      takeSmallest(part.minAngle, {smallestAngle(sides), id, slot});
+      smallest = std::max(smallest, ofSmallest);
+    }
+    if (!(ofLargest > largest + kClearly)) {
+      takeLargest(part.maxAngle, {largestAngle(sides), id, slot});
+      largest = std::min(largest, ofLargest);
+    }
+    takeSmallest(part.minEdge, {t.shortest, id, slot});
+    add(part.area, t.area);
+    add(part.aspects, t.aspect);
+    ++part.triangles;
+    if (t.obtuse) ++part.obtuse;
+    addPairs(part, mesh, slot);
+  }
+  return part;
+}
+
+/// Whether some triangle that counts has this corner. `helpers`: some do not count.
+bool isUsed(const Mesh& mesh, std::int32_t vertex, bool helpers, Star& star) {
+  const std::int32_t slot = mesh.vertexTriangle[at(vertex)];
+  if (slot < 0 || !mesh.alive(slot)) return false;
+  if (!helpers || !touchesHelper(mesh, slot)) return true;
+  starOf(mesh, vertex, star);
+  return std::any_of(star.rim.begin(), star.rim.end(),
+                     [&mesh](std::int32_t half) { return !touchesHelper(mesh, triangleOf(half)); });
+}
+
+void countVertices(const Mesh& mesh, Quality& q) {
+  const bool helpers = std::find(mesh.kinds.begin(), mesh.kinds.end(), VertexKind::helper) != mesh.kinds.end();
+  Star star;
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    if (!isUsed(mesh, static_cast<std::int32_t>(v), helpers, star)) continue;
+    ++q.vertices;
+    if (mesh.vertexEdge[v] != -1) ++q.boundaryVertices;
+  }
+}
+
+void add(QualityPart& sum, const QualityPart& part) {
+  if (part.triangles == 0) return;
+  sum.triangles += part.triangles;
+  sum.obtuse += part.obtuse;
+  takeLargest(sum.aspect, part.aspect);
+  if (part.areaRatio.slot >= 0) takeLargest(sum.areaRatio, part.areaRatio);
+  takeLargest(sum.edgeRatio, part.edgeRatio);
+  takeSmallest(sum.minAngle, part.minAngle);
+  takeLargest(sum.maxAngle, part.maxAngle);
+  takeSmallest(sum.minEdge, part.minEdge);
+  add(sum.area, part.area.total);
+  sum.area.lost += part.area.lost;
+  add(sum.aspects, part.aspects.total);
+  sum.aspects.lost += part.aspects.lost;
+}
+
+Quality together(const Mesh& mesh, const std::vector<QualityPart>& parts) {
+  QualityPart all;
+  for (const QualityPart& part : parts) add(all, part);
+  Quality q;
+  countVertices(mesh, q);
+  q.triangles = all.triangles;
+  q.obtuse = all.obtuse;
+  if (q.triangles == 0) return q;
+  q.aspectMax = all.aspect.value;
+  q.aspectAt = all.aspect.slot;
+  q.areaRatioMax = all.areaRatio.slot >= 0 ? all.areaRatio.value : 1.0;
+  q.areaRatioAt = all.areaRatio.slot;
+  q.areaRatioOther = all.areaRatio.other;
+  q.edgeRatioMax = all.edgeRatio.value;
+  q.edgeRatioAt = all.edgeRatio.slot;
+  q.minAngle = all.minAngle.value;
+  q.minAngleAt = all.minAngle.slot;
+  q.maxAngle = all.maxAngle.value;
+  q.maxAngleAt = all.maxAngle.slot;
+  q.minEdge = all.minEdge.value;
+  q.minEdgeAt = all.minEdge.slot;
+  q.area = resultOf(all.area);
+  q.aspectMean = resultOf(all.aspects) / static_cast<double>(q.triangles);
+  return q;
+}
 
 }  // namespace
 
@@ -102,83 +204,34 @@ TriangleQuality qualityOf(Point a, Point b, Point c) {
   return q;
 }
 
-Quality measure(const Mesh& mesh) {
-  Quality q;
-  WorstFigure aspect, areaRatio, edgeRatio, minAngle, maxAngle, minEdge;
-  Sum area, aspects;
-  double smallest = -1.0, largest = 1.0;  // cosines of the smallest and of the largest angle so far
-  std::vector<char> used(mesh.points.size(), 0);
-  const auto slots = static_cast<std::int32_t>(mesh.triangles.size());
-
-  std::vector<double> areas(mesh.triangles.size(), -1.0);  // -1: not measured
-  for (std::int32_t slot = 0; slot < slots; ++slot) {
-    const auto index = at(slot);
-    if (!mesh.alive(slot) || touchesHelper(mesh, slot)) continue;
-    const auto& v = mesh.triangles[index].v;
-    for (const std::int32_t corner : v) used[at(corner)] = 1;
-    TriangleSide sides[3];
-    const TriangleQuality t = withoutAngles(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])], sides);
-    const double ofSmallest = roughCosine(sides[1].squared, sides[2].squared, sides[0].squared);
-    const double ofLargest = roughCosine(sides[0].squared, sides[1].squared, sides[2].squared);
-    const std::uint32_t id = mesh.ids[index];
-    aspect.takeLargest({t.aspect, id, slot});
-    edgeRatio.takeLargest({t.edgeRatio, id, slot});
-    if (!(ofSmallest < smallest - kClearly)) {
-      minAngle.takeSmallest({smallestAngle(sides), id, slot});
-      smallest = std::max(smallest, ofSmallest);
-    }
-    if (!(ofLargest > largest + kClearly)) {
-      maxAngle.takeLargest({largestAngle(sides), id, slot});
-      largest = std::min(largest, ofLargest);
-    }
-    minEdge.takeSmallest({t.shortest, id, slot});
-    area.add(t.area);
-    aspects.add(t.aspect);
-    areas[index] = std::fabs(t.area);
-    ++q.triangles;
-    if (t.obtuse) ++q.obtuse;
-  }
-
-  for (std::int32_t slot = 0; slot < slots; ++slot) {
-    const double here = areas[at(slot)];
-    if (here < 0.0) continue;
-    for (const std::int32_t across : mesh.triangles[at(slot)].adj) {
-      const std::int32_t other = across / 3;
-      if (across < 0 || other < slot) continue;  // no neighbour, or the pair was looked at from there
-      const double there = areas[at(other)];
-      if (there < 0.0) continue;
-      const std::uint32_t id = mesh.ids[at(slot)];
-      const std::uint32_t otherId = mesh.ids[at(other)];
-      const bool hereFirst = here > there || (here == there && id < otherId);
-      const double smaller = hereFirst ? there : here;
-      areaRatio.takeLargest({smaller > 0.0 ? (hereFirst ? here : there) / smaller : kInfinity, hereFirst ? id : otherId,
-                             hereFirst ? slot : other, hereFirst ? other : slot});
-    }
-  }
-
-  for (std::size_t v = 0; v < used.size(); ++v) {
-    if (used[v] == 0) continue;
-    ++q.vertices;
-    if (mesh.vertexEdge[v] != -1) ++q.boundaryVertices;
-  }
-  if (q.triangles == 0) return q;
-
-  q.aspectMax = aspect.value;
-  q.aspectAt = aspect.slot;
-  q.areaRatioMax = areaRatio.slot >= 0 ? areaRatio.value : 1.0;
-  q.areaRatioAt = areaRatio.slot;
-  q.areaRatioOther = areaRatio.other;
-  q.edgeRatioMax = edgeRatio.value;
-  q.edgeRatioAt = edgeRatio.slot;
-  q.minAngle = minAngle.value;
-  q.minAngleAt = minAngle.slot;
-  q.maxAngle = maxAngle.value;
-  q.maxAngleAt = maxAngle.slot;
-  q.minEdge = minEdge.value;
-  q.minEdgeAt = minEdge.slot;
-  q.area = area.result();
-  q.aspectMean = aspects.result() / static_cast<double>(q.triangles);
-  return q;
+QualityInParts measureInParts(const Mesh& mesh) {
+  QualityInParts result;
+  result.parts.resize(partsOf(mesh));
+  for (std::size_t part = 0; part < result.parts.size(); ++part) result.parts[part] = measurePart(mesh, part);
+  result.quality = together(mesh, result.parts);
+  return result;
 }
+
+QualityInParts measureInParts(const Mesh& mesh, const Mesh& before, QualityInParts measured) {
+  constexpr std::size_t kFew = 8;  // of so many triangles one: where more have changed, hardly a part stays as it is
+  const auto changed = changedSlots(before, mesh, mesh.triangles.size() / kFew);
+  if (!changed) return measureInParts(mesh);
+  std::vector<std::uint8_t> stale(partsOf(mesh), 0);
+  for (const std::int32_t slot : *changed) {
+    stale[at(slot) / kPart] = 1;
+    for (const std::int32_t across : triangleAt(mesh, slot).adj)
+      if (across >= 0 && at(triangleOf(across)) < mesh.triangles.size()) stale[at(triangleOf(across)) / kPart] = 1;
+  }
+  const std::size_t known = std::min(measured.parts.size(), stale.size());
+  // A part that was cut short, or goes on now, is another one.
+  if (before.triangles.size() != mesh.triangles.size() && known > 0) stale[known - 1] = 1;
+  measured.parts.resize(stale.size());
+  for (std::size_t part = 0; part < stale.size(); ++part)
+    if (stale[part] != 0 || part >= known) measured.parts[part] = measurePart(mesh, part);
+  measured.quality = together(mesh, measured.parts);
+  return measured;
+}
+
+Quality measure(const Mesh& mesh) { return measureInParts(mesh).quality; }
 
 }  // namespace triscope

@@ -9,6 +9,12 @@ namespace triscope {
 namespace {
 
 constexpr std::uint64_t kFirstSpacing = 1024;
+// A state of more than some bytes is copied into memory that the system has to clear first. So many of them take a
+// fraction of the time of a decision: that is what keyframes may cost a run.
+constexpr std::size_t kLargeState = std::size_t{4} << 20;
+constexpr std::size_t kBytesPerDecision = 256;
+constexpr std::uint64_t kNear = 8192;  // decisions, made again in about the time that it takes to copy a large state
+constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
 
 template <class T>
 std::size_t bytesIn(const std::vector<T>& list) {
@@ -32,9 +38,11 @@ bool hasComeTo(const MeshState& state, Stage stage) {
 }
 
 void History::restart(const MeshState& start) {
+  dropNear();
   keyframes_.clear();
   keyframes_.push_back(std::make_shared<const Keyframe>(Keyframe{start, 0, bytesOf(start)}));
   settings_ = start.settings;
+  nearTick_ = kNowhere;
   bytes_ = keyframes_.front()->bytes;
   spacing_ = kFirstSpacing;
   nextTick_ = start.tick + spacing_;
@@ -43,6 +51,8 @@ void History::restart(const MeshState& start) {
 void History::take(const MeshState& state, std::uint64_t events) {
   TRISCOPE_CHECK(!keyframes_.empty(), "the keyframe of the start is kept whatever the budget");
   const std::size_t size = bytesOf(state);
+  if (size > kLargeState) spacing_ = std::max(spacing_, static_cast<std::uint64_t>(size / kBytesPerDecision));
+  if (bytes_ + size > budget_) dropNear();
   while (bytes_ + size > budget_ && keyframes_.size() > 1) thin();
   nextTick_ = keyframes_.back()->state.tick + spacing_;
   if (bytes_ + size > budget_ || state.tick < nextTick_) {
@@ -54,11 +64,26 @@ void History::take(const MeshState& state, std::uint64_t events) {
   nextTick_ = state.tick + spacing_;
 }
 
+void History::aimAt(std::uint64_t tick, std::uint64_t from) {
+  const bool far = tick >= 2 * kNear && from < tick - 2 * kNear;
+  nearTick_ = far ? tick - kNear : kNowhere;
+}
+
+void History::takeNear(const MeshState& state, std::uint64_t events) {
+  nearTick_ = kNowhere;
+  dropNear();
+  const std::size_t size = bytesOf(state);
+  while (bytes_ + size > budget_ && keyframes_.size() > 1) thin();
+  if (bytes_ + size > budget_) return;
+  near_ = std::make_shared<const Keyframe>(Keyframe{state, events, size});
+  bytes_ += size;
+}
+
 void History::thin() {
   std::size_t kept = 1;
   for (std::size_t k = 2; k < keyframes_.size(); k += 2) keyframes_[kept++] = std::move(keyframes_[k]);
   keyframes_.resize(kept);
-  bytes_ = 0;
+  bytes_ = near_ ? near_->bytes : 0;
   for (const auto& keyframe : keyframes_) bytes_ += keyframe->bytes;
   spacing_ *= 2;
 }
@@ -68,7 +93,13 @@ void History::dropLast() {
   keyframes_.pop_back();
 }
 
+void History::dropNear() {
+  if (near_) bytes_ -= near_->bytes;
+  near_.reset();
+}
+
 void History::forgetAfter(std::uint64_t tick) {
+  if (near_ && near_->state.tick > tick) dropNear();
   while (keyframes_.size() > 1 && keyframes_.back()->state.tick > tick) dropLast();
   nextTick_ = keyframes_.back()->state.tick + spacing_;
 }
@@ -77,7 +108,9 @@ const Keyframe& History::before(std::uint64_t tick) const {
   TRISCOPE_CHECK(!keyframes_.empty(), "a history is begun before it is read");
   const auto after = std::upper_bound(keyframes_.begin(), keyframes_.end(), tick,
                                       [](std::uint64_t t, const auto& k) { return t < k->state.tick; });
-  return after == keyframes_.begin() ? **after : **(after - 1);
+  const Keyframe& regular = after == keyframes_.begin() ? **after : **(after - 1);
+  const bool nearer = near_ && near_->state.tick <= tick && near_->state.tick > regular.state.tick;
+  return nearer ? *near_ : regular;
 }
 
 MeshState History::stateBefore(std::uint64_t tick) const {
@@ -96,6 +129,7 @@ MeshState History::seek(std::uint64_t tick, Journal& journal) const {
 std::uint64_t History::changeSettings(const Settings& settings) {
   const Stage affected = firstAffected(settings_, settings);
   while (keyframes_.size() > 1 && hasComeTo(keyframes_.back()->state, affected)) dropLast();
+  if (near_ && hasComeTo(near_->state, affected)) dropNear();
   settings_ = settings;
   nextTick_ = keyframes_.back()->state.tick + spacing_;
   return keyframes_.back()->state.tick;

@@ -2,7 +2,8 @@
 //
 // The keyframes thin out as the run goes on: when the budget is full, every second one is dropped and the spacing
 // doubles, so that they always cover the whole run evenly in work (ideas: E. Catto's replay in Box2D 3; the proof is
-// the same too: seek to every tick in descending order and compare hashes, tests/unit/history_test.cpp).
+// the same too: seek to every tick in descending order and compare hashes, tests/unit/history_test.cpp). One keyframe
+// more is near where somebody is looking around.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +43,12 @@ class History {
   /// Offers the state after a decision (`events` recorded so far). Copies it when the next keyframe is due.
   void offer(const MeshState& state, std::uint64_t events) {
     if (state.tick >= nextTick_) take(state, events);
+    if (state.tick == nearTick_) takeNear(state, events);
   }
+
+  /// A place is sought, from a state at `from`: on the way there one more keyframe is kept shortly before it, in the
+  /// place of the last one kept so, because one looks around where one has gone to.
+  void aimAt(std::uint64_t tick, std::uint64_t from);
 
   /// Drops the keyframes after a tick: what comes next is another run.
   void forgetAfter(std::uint64_t tick);
@@ -61,13 +67,15 @@ class History {
   std::uint64_t changeSettings(const Settings& settings);
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  [[nodiscard]] std::size_t count() const { return keyframes_.size(); }
+  [[nodiscard]] std::size_t count() const { return keyframes_.size() + (near_ ? 1 : 0); }
   [[nodiscard]] std::uint64_t spacing() const { return spacing_; }
 
  private:
   void take(const MeshState& state, std::uint64_t events);
+  void takeNear(const MeshState& state, std::uint64_t events);
   void thin();
   void dropLast();
+  void dropNear();
 
   std::vector<std::shared_ptr<const Keyframe>> keyframes_;  // by tick; the first is the start
   Settings settings_;                                       // in force
@@ -75,6 +83,8 @@ class History {
   std::size_t bytes_ = 0;
   std::uint64_t spacing_ = 1024;  // decisions between keyframes at least
   std::uint64_t nextTick_ = 0;
+  std::shared_ptr<const Keyframe> near_;           // before the place last sought; often none
+  std::uint64_t nearTick_ = std::uint64_t{0} - 1;  // where the next such one is due
 };
 
 }  // namespace triscope

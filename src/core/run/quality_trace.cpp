@@ -21,10 +21,14 @@ QualityTrace QualityTrace::upTo(std::uint64_t tick) const {
   return trace;
 }
 
-bool QualityTrace::carryOn(const History& history, std::uint64_t end, const std::function<bool()>& enough) {
+bool QualityTrace::carryOn(const History& history, const RunRecord& run, const std::function<bool()>& enough) {
   constexpr std::uint64_t kBetweenLooks = 64;
+  const std::uint64_t end = run.ticks;
   const std::uint64_t last = samples_.empty() ? 0 : samples_.back().tick;
   if (last >= end) return false;
+  // Samples that would go again are not made: between two of them a triangle is measured once, however often it
+  // changed.
+  while (samples_.empty() && end / stride_ + 1 >= kMostSamples) stride_ *= 2;
   if (!replay_) {
     replay_.emplace(Replay{history.stateBefore(last), {}});
     replay_->quality.reset(replay_->state.mesh);
@@ -43,7 +47,9 @@ bool QualityTrace::carryOn(const History& history, std::uint64_t end, const std:
     if (state.tick % kBetweenLooks == 0 && enough()) break;
   }
   replay_->quality.update(state.mesh, changes.slots());
-  return state.tick < end;
+  const bool more = state.tick < end;
+  if (!more && run.complete) replay_.reset();  // it is as large as the run, and nothing more will be asked
+  return more;
 }
 
 void QualityTrace::sample(const Replay& replay) {

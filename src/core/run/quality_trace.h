@@ -21,8 +21,8 @@ class QualityTrace {
   /// One of its own that has the samples up to there.
   [[nodiscard]] QualityTrace upTo(std::uint64_t tick) const;
   /// Replays on, at least a few decisions and until `enough` says so, which is asked every few. False when it has come
-  /// to `end` decisions.
-  bool carryOn(const History& history, std::uint64_t end, const std::function<bool()>& enough);
+  /// to the end of what is known of the run.
+  bool carryOn(const History& history, const RunRecord& run, const std::function<bool()>& enough);
   /// By tick.
   [[nodiscard]] const std::vector<QualitySample>& samples() const { return samples_; }
 

@@ -10,6 +10,7 @@ constexpr std::size_t kCheckpointBytes = 128u << 20u;
 constexpr std::size_t kMostHits = 10'000;
 
 void rememberStage(Run& run) {
+  if (run.state.stage == Stage::finished) return;  // no setting begins to matter there
   for (const Checkpoint& c : run.checkpoints)
     if (c.state->stage == run.state.stage) return;
   const std::size_t bytes = bytesOf(run.state);

@@ -14,6 +14,7 @@ void toLastKeyframe(Run& run) {
 Goal towardsTick(Run& run, std::uint64_t tick) {
   const Keyframe& start = run.history.before(tick == 0 ? 0 : tick - 1);
   if (run.state.tick > tick || start.state.tick > run.state.tick) returnTo(run, start);
+  run.history.aimAt(tick, run.state.tick);
   return {.kind = Goal::Kind::tick, .tick = tick};
 }
 
@@ -26,6 +27,7 @@ Goal towardsEvent(Run& run, std::uint64_t index) {
 Goal towardsEntry(Run& run, const StageEntry& entry) {
   const Keyframe& start = run.history.before(entry.tick);
   if (run.events > entry.event || start.state.tick > run.state.tick) returnTo(run, start);
+  run.history.aimAt(entry.tick, run.state.tick);
   return {.kind = Goal::Kind::entry, .tick = entry.tick, .stage = entry.stage, .round = entry.round};
 }
 

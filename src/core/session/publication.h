@@ -20,6 +20,15 @@ struct Snapshot {
   Quality quality;            // of state.mesh; all zero before there is a mesh
   std::optional<Event> last;  // the decision that led here
   std::uint64_t events = 0;   // number of events recorded up to here
+
+  /// hashOf(state), worked out when it is first asked for, which takes as long as to make the snapshot. For one thread.
+  [[nodiscard]] std::uint64_t hash() const {
+    if (!hash_) hash_ = hashOf(state);
+    return *hash_;
+  }
+
+ private:
+  mutable std::optional<std::uint64_t> hash_;
 };
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 

@@ -84,10 +84,13 @@ void tellState(SessionWork& work) {
   auto snapshot = std::make_shared<Snapshot>();
   snapshot->revision = ++work.revision;
   snapshot->state = run.state;
-  snapshot->quality = measure(run.state.mesh);
+  work.measured = work.told ? measureInParts(run.state.mesh, work.told->state.mesh, std::move(work.measured))
+                            : measureInParts(run.state.mesh);
+  snapshot->quality = work.measured.quality;
   snapshot->last = run.last;
   snapshot->events = run.events;
   Publication publication = news(work);
+  work.told = snapshot;
   publication.snapshot = std::move(snapshot);
   if (std::exchange(work.recordChanged, false)) publication.record = recordOf(run);
   if (std::exchange(work.hitsChanged, false))
@@ -105,7 +108,7 @@ void traceOn(SessionWork& work) {
   Run& run = work.driver.run;
   const auto start = SessionWork::Clock::now();
   const auto enough = [=] { return SessionWork::Clock::now() - start > kPatience; };
-  const bool more = run.trace.carryOn(run.history, run.recorder.record().ticks, enough);
+  const bool more = run.trace.carryOn(run.history, run.recorder.record(), enough);
   const auto now = SessionWork::Clock::now();
   if (more && now - work.lastTrace < kBetweenNews) return;
   work.lastTrace = now;

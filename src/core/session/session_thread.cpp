@@ -58,6 +58,16 @@ void SessionThread::publish(Publication news) {
   if (wake_) wake_();
 }
 
+void SessionThread::sleep(std::unique_lock<std::mutex>& lock) {
+  constexpr auto kWhile = std::chrono::seconds(2);
+  const auto wanted = [this] { return quit_ || !inbox_.empty(); };
+  if (inboxChanged_.wait_for(lock, kWhile, wanted)) return;
+  lock.unlock();
+  rest(work_);
+  lock.lock();
+  inboxChanged_.wait(lock, wanted);
+}
+
 void SessionThread::loop() {
   std::unique_lock lock(mutex_);
   const auto unlocked = [&lock](const auto& does) {
@@ -81,7 +91,7 @@ void SessionThread::loop() {
       if (traceLags(work_))
         unlocked([this] { carryTrace(work_); });
       else
-        inboxChanged_.wait(lock, [this] { return quit_ || !inbox_.empty(); });
+        sleep(lock);
     }
   }
 }

@@ -27,6 +27,7 @@ class SessionThread {
 
  private:
   void loop();
+  void sleep(std::unique_lock<std::mutex>& lock);
   void publish(Publication news);
   bool waits(const CommandTest& test);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/base/free_memory.h"
 #include "core/run/travel.h"
 #include "core/session/session_steps.h"
 
@@ -74,7 +75,10 @@ void slice(SessionWork& work) {
   }
   const auto patience = work.pace ? kFrame : kLongStep;
   if (now - work.lastTold < std::max<SessionWork::Clock::duration>(patience, 4 * work.tellingCost)) return;
-  if (work.before)
+  // On the way to a known place what lies between is of no interest, and to draw it would take from the time.
+  const Goal::Kind kind = work.driver.goal.kind;
+  const bool passingBy = kind == Goal::Kind::tick || kind == Goal::Kind::entry;
+  if (work.before || (passingBy && !work.pace))
     tellProgress(work);
   else
     tellState(work);
@@ -112,6 +116,12 @@ void carrySlice(SessionWork& work) {
 void carryTrace(SessionWork& work) {
   survive(work, [&] { traceOn(work); });
 }
+
+void rest(const SessionWork& work) {
+  constexpr std::size_t kLarge = 200'000;  // triangles, which leave some hundred bytes each behind in the heap
+  if (work.driver.run.state.mesh.liveCount() >= kLarge) giveBackFreeMemory();
+}
+
 void setOut(SessionWork& work, const Goal& goal, Activity activity) {
   headFor(work.driver, goal);
   work.activity = activity;

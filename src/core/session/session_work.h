@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/quality/quality_parts.h"
 #include "core/run/driver.h"
 #include "core/session/command.h"
 #include "core/session/publication.h"
@@ -47,6 +48,8 @@ struct SessionWork {
   std::uint64_t failures = 0;
   std::uint64_t ordersDone = 0;
   std::uint64_t revision = 0;
+  SnapshotPtr told;         // the last one, and its measures in parts: the next one is measured where they differ
+  QualityInParts measured;  // of told
   Activity activity = Activity::idle;
   bool recordChanged = false;
   bool hitsChanged = false;
@@ -72,5 +75,8 @@ void carrySlice(SessionWork& work);
 /// Whether measures along the run are still missing; carryTrace() finds some more, when there is nothing else to do.
 bool traceLags(const SessionWork& work);
 void carryTrace(SessionWork& work);
+
+/// To be called when nothing has been asked for in a while.
+void rest(const SessionWork& work);
 
 }  // namespace triscope

@@ -251,7 +251,7 @@ std::string comparison(const View& view) {
         .number("tick", static_cast<double>(now->state.tick))
         .number("ticks", static_cast<double>(a.record().ticks))
         .number("events", static_cast<double>(now->events))
-        .add("hash", fmt::format("\"{:016x}\"", hashOf(now->state)))
+        .add("hash", fmt::format("\"{:016x}\"", now->hash()))
         .add("figures", figures(now->quality));
   return out.str();
 }
@@ -299,7 +299,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
         .number("events", static_cast<double>(view.session.events().size()))
         .flag("failed", now->state.failed)
         .number("min_edge", now->state.minEdge)
-        .add("hash", fmt::format("\"{:016x}\"", hashOf(now->state)))
+        .add("hash", fmt::format("\"{:016x}\"", now->hash()))
         .add("figures", figures(now->quality));
   }
   out.flag("stale", view.session.stale())

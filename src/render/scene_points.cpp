@@ -1,0 +1,89 @@
+// The points of the triangulation, and the fronts.
+#include <algorithm>
+#include <iterator>
+
+#include "core/density/wanted.h"
+#include "render/boundary_points.h"
+#include "render/scene_parts.h"
+
+namespace triscope::detail {
+namespace {
+
+using std::size_t;
+
+size_t at(std::int32_t i) { return static_cast<size_t>(i); }
+
+// Typical distance to the neighbours of a vertex, from the density rank where it was placed.
+float spacingOf(const MeshState& state, std::int32_t vertex) {
+  return static_cast<float>(edgeLengthOf(state.tree, std::max<int>(1, state.mesh.density[at(vertex)])));
+}
+
+MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {
+  MarkBatch batch;
+  batch.shape = shape;
+  batch.size = size;
+  batch.fill = fill;
+  batch.outline = outline;
+  return batch;
+}
+
+}  // namespace
+
+void buildPoints(const SceneInput& in, Layer& layer) {
+  const MeshState& state = in.state;
+  const Theme& theme = in.theme;
+  MarkBatch placed = markBatch(Shape::circle, 4.0f, theme.placed, {0, 0, 0, 0});
+  MarkBatch kept = markBatch(Shape::square, 5.0f, theme.kept, {0, 0, 0, 0});
+  MarkBatch split = markBatch(Shape::ring, 5.5f, theme.placed, {0, 0, 0, 0});
+  MarkBatch steiner = markBatch(Shape::triangle, 5.5f, theme.steiner, {0, 0, 0, 0});
+  const auto add = [](MarkBatch& batch, Point p, float spacing) {
+    batch.at.push_back(p);
+    batch.spacing.push_back(spacing);
+  };
+  if (in.options.boundaryPoints && state.mesh.points.empty()) {
+    for (const size_t index : distinctBoundaryPoints(state)) {
+      const BoundaryPoint& p = state.boundary[index];
+      add(p.kept ? kept : placed, p.at, static_cast<float>(wantedAt(state.tree, p.at).value_or(Wanted{}).length));
+    }
+  }
+  for (size_t i = 0; i < state.mesh.points.size(); ++i) {
+    const VertexKind kind = state.mesh.kinds[i];
+    if (kind < VertexKind::kept || kind > VertexKind::steiner) continue;
+    const bool onBoundary = kind <= VertexKind::split;
+    const bool wanted = onBoundary ? in.options.boundaryPoints : in.options.steiner && kind == VertexKind::steiner;
+    if (!wanted) continue;
+    MarkBatch& batch = kind == VertexKind::kept       ? kept
+                       : kind == VertexKind::boundary ? placed
+                       : kind == VertexKind::split    ? split
+                                                      : steiner;
+    add(batch, state.mesh.points[i], spacingOf(state, static_cast<std::int32_t>(i)));
+  }
+  for (MarkBatch* batch : {&steiner, &placed, &split, &kept}) {
+    if (!batch->at.empty()) layer.marks.push_back(std::move(*batch));
+  }
+}
+
+std::vector<std::int32_t> frontInMesh(const Mesh& mesh, const std::vector<std::int32_t>& front) {
+  std::vector<std::int32_t> there;
+  std::copy_if(front.begin(), front.end(), std::back_inserter(there), [&mesh](std::int32_t vertex) {
+    return vertex >= 0 && at(vertex) < mesh.points.size() && mesh.kinds[at(vertex)] != VertexKind::removed;
+  });
+  return there;
+}
+
+void buildFronts(const SceneInput& in, Layer& layer) {
+  if (!in.options.fronts) return;
+  const Mesh& mesh = in.state.mesh;
+  const auto add = [&](const std::vector<std::int32_t>& front, Shape shape, float size, Color color) {
+    MarkBatch batch = markBatch(shape, size, color, in.theme.background);
+    for (const std::int32_t vertex : frontInMesh(mesh, front)) {
+      batch.at.push_back(mesh.points[at(vertex)]);
+      batch.spacing.push_back(spacingOf(in.state, vertex));
+    }
+    if (!batch.at.empty()) layer.marks.push_back(std::move(batch));
+  };
+  add(in.state.front1, Shape::circle, 7.0f, in.theme.front1);
+  add(in.state.front2, Shape::diamond, 8.5f, in.theme.front2);
+}
+
+}  // namespace triscope::detail
