@@ -11,7 +11,7 @@
 namespace triscope {
 namespace {
 
-enum Phase : std::uint32_t { advance_front, balance, classify, over };
+enum DensityPhase : std::uint32_t { advancing_front, balancing_densities, classifying, classified };
 constexpr std::size_t kRanks = 256;
 
 // The front is kept in buckets by density rank: worklist[rank] heads a list of entries in `next`, each a cell and the
@@ -92,18 +92,18 @@ Outcome runDensity(MeshState& state, Journal& journal) {
   if (state.failed) return Outcome::done;
   Cursor& cursor = state.cursor;
   if (!cursor.begun) begin(state);
-  if (cursor.phase == advance_front) {
+  if (cursor.phase == advancing_front) {
     if (const Outcome outcome = advanceFront(state, journal); outcome != Outcome::done) return outcome;
-    cursor.phase = balance;
+    cursor.phase = balancing_densities;
     queueLeaves(state);
   }
-  if (cursor.phase == balance) {
+  if (cursor.phase == balancing_densities) {
     if (const Outcome outcome = balanceOne(state, journal); outcome != Outcome::done) return outcome;
-    cursor.phase = classify;
+    cursor.phase = classifying;
   }
-  if (cursor.phase == classify) {
+  if (cursor.phase == classifying) {
     state.estimatedTriangles = classifyCells(state.tree, *state.domain);
-    cursor.phase = over;
+    cursor.phase = classified;
     holdToLimit(state, state.estimatedTriangles, journal);
   }
   return Outcome::done;

@@ -10,7 +10,7 @@
 namespace triscope {
 namespace {
 
-enum Phase : std::uint32_t { split_for_constraints, balance, rank_constraints };
+enum QuadtreePhase : std::uint32_t { splitting_for_constraints, balancing_ranks, ranking_constraints };
 
 int wishedRank(const MeshState& state, const Constraint& constraint) {
   const int rank = rankAtMost(constraint.length * state.tree.minEdgeInverse * (1.0 + 1e-12));
@@ -81,7 +81,7 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
   if (state.failed) return Outcome::done;
   Cursor& cursor = state.cursor;
   cursor.begun = true;
-  if (cursor.phase == split_for_constraints) {
+  if (cursor.phase == splitting_for_constraints) {
     const auto split = [&](const Constraint& constraint, std::int32_t leaf) {
       const int largest = largestCellRank(wishedRank(state, constraint));
       if (state.tree.cells[static_cast<std::size_t>(leaf)].rank <= largest) return false;
@@ -91,12 +91,12 @@ Outcome runQuadtree(MeshState& state, Journal& journal) {
       return true;
     };
     if (const Outcome outcome = nextLeaf(state, split); outcome != Outcome::done) return outcome;
-    cursor.phase = balance;
+    cursor.phase = balancing_ranks;
     queueLeaves(state);
   }
-  if (cursor.phase == balance) {
+  if (cursor.phase == balancing_ranks) {
     if (const Outcome outcome = balanceOne(state, journal); outcome != Outcome::done) return outcome;
-    cursor.phase = rank_constraints;
+    cursor.phase = ranking_constraints;
     cursor.index = 0;
   }
   const auto rank = [&](const Constraint& constraint, std::int32_t leaf) {

@@ -16,7 +16,7 @@
 namespace triscope {
 namespace {
 
-enum Part : std::uint32_t { obtuse, shared_edge, laplacian, polish, over };
+enum RefinePart : std::uint32_t { obtuse, shared_edge, laplacian, polish, pass_over };
 
 constexpr double kSharedEdgeStep = 0.1;  // of the height h of the larger triangle
 constexpr int kWholePasses = 1;          // over the whole mesh; those after them only near what is poor
@@ -162,7 +162,7 @@ Outcome runLaplacian(MeshState& state, Journal& journal, TrialRoom& room) {
 Outcome runPart(MeshState& state, Journal& journal, TrialRoom& room) {
   const Settings& settings = state.settings;
   const bool whole = state.round <= kWholePasses;
-  switch (static_cast<Part>(state.cursor.phase)) {
+  switch (static_cast<RefinePart>(state.cursor.phase)) {
     case obtuse:
       return settings.reduceObtuse ? runObtuse(state, journal, room) : Outcome::done;
     case shared_edge:
@@ -171,7 +171,7 @@ Outcome runPart(MeshState& state, Journal& journal, TrialRoom& room) {
       return settings.laplacian && whole ? runLaplacian(state, journal, room) : Outcome::done;
     case polish:
       return settings.polish && !whole ? runPolish(state, journal, room) : Outcome::done;
-    case over:
+    case pass_over:
       break;
   }
   return Outcome::done;
@@ -211,11 +211,11 @@ Outcome runRefine(MeshState& state, Journal& journal) {
     state.round = 1;
     forgetTests(state.mesh);
   }
-  while (cursor.phase != over) {
+  while (cursor.phase != pass_over) {
     const Outcome outcome = runPart(state, journal, room);
     if (outcome != Outcome::done) return outcome;
     cursor.index = 0;
-    if (++cursor.phase != over) continue;
+    if (++cursor.phase != pass_over) continue;
     const bool changed = settle(state);
     if (state.round == kWholePasses) beginPolish(state);
     const bool last = state.round >= std::min(state.settings.refinePasses, kWholePasses + kPoorPasses);
