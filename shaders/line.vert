@@ -3,7 +3,7 @@
 layout(location = 0) in vec2 aFrom;  // world, less the upload origin
 layout(location = 1) in vec2 aTo;
 layout(location = 2) in float aAlong;  // world length of the polyline before aFrom
-uniform vec4 uView;
+uniform mat3x2 uView;
 uniform vec2 uViewport;       // pixels
 uniform float uPixelsPerUnit;
 uniform float uHalfWidth;     // pixels
@@ -13,8 +13,8 @@ flat out float vStart;        // pixels along the polyline at aFrom
 
 void main() {
   vec2 toPixels = 0.5 * uViewport;
-  vec2 from = (aFrom * uView.xy + uView.zw) * toPixels;
-  vec2 to = (aTo * uView.xy + uView.zw) * toPixels;
+  vec2 from = uView * vec3(aFrom, 1.0) * toPixels;
+  vec2 to = uView * vec3(aTo, 1.0) * toPixels;
   vec2 along = to - from;
   vLength = length(along);
   vec2 direction = vLength > 1e-6 ? along / vLength : vec2(1.0, 0.0);

@@ -13,13 +13,17 @@ Point alongWorld(const Camera& camera, Pixel way) { return {way.x / camera.scale
 
 }  // namespace
 
+glm::dmat3x2 clipFrom(const Camera& camera, Point origin) {
+  const glm::dvec2 scale = 2.0 * camera.scale / camera.size();
+  const Point shift = origin - camera.centre;
+  return {{scale.x, 0.0}, {0.0, scale.y}, scale * glm::dvec2(shift.x, shift.y)};
+}
+
 Pixel toPixel(const Camera& camera, Point world) {
   return camera.middle() + alongPixels(camera, world - camera.centre);
 }
 
-Point toWorld(const Camera& camera, Pixel pixel) {
-  return camera.centre + alongWorld(camera, pixel - camera.middle());
-}
+Point toWorld(const Camera& camera, Pixel pixel) { return camera.centre + alongWorld(camera, pixel - camera.middle()); }
 
 Box visibleBox(const Camera& camera) {
   const Point half{0.5 * camera.width / camera.scale, 0.5 * camera.height / camera.scale};

@@ -1,6 +1,8 @@
 // The window onto the plane: world coordinates (y up) to pixels (origin top left, y down) and back.
 #pragma once
 
+#include <glm/mat3x2.hpp>
+
 #include "core/base/point.h"
 #include "render/pixel.h"
 
@@ -17,6 +19,8 @@ struct Camera {
   [[nodiscard]] Pixel middle() const { return 0.5 * size(); }
 };
 
+/// Takes (x, y, 1), a place in the world less `origin`, to OpenGL's clip coordinates: -1 to 1 across the picture, y up.
+glm::dmat3x2 clipFrom(const Camera& camera, Point origin);
 Pixel toPixel(const Camera& camera, Point world);
 Point toWorld(const Camera& camera, Pixel pixel);
 /// The part of the world that the picture shows.

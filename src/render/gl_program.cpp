@@ -1,5 +1,7 @@
 #include "render/gl_program.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include "render/embedded.h"
 
 namespace triscope {
@@ -75,12 +77,11 @@ GLint GlProgram::locate(const char* name) {
 
 void GlProgram::set(const char* name, float x) { glUniform1f(locate(name), x); }
 void GlProgram::set(const char* name, int x) { glUniform1i(locate(name), x); }
-void GlProgram::set(const char* name, float x, float y) { glUniform2f(locate(name), x, y); }
-void GlProgram::set(const char* name, float x, float y, float z, float w) { glUniform4f(locate(name), x, y, z, w); }
-void GlProgram::set(const char* name, Color c) {
-  constexpr float k = 1.0f / 255.0f;
-  set(name, k * static_cast<float>(c.r), k * static_cast<float>(c.g), k * static_cast<float>(c.b),
-      k * static_cast<float>(c.a));
+void GlProgram::set(const char* name, glm::vec2 v) { glUniform2fv(locate(name), 1, glm::value_ptr(v)); }
+void GlProgram::set(const char* name, glm::vec4 v) { glUniform4fv(locate(name), 1, glm::value_ptr(v)); }
+void GlProgram::set(const char* name, const glm::mat3x2& m) {
+  glUniformMatrix3x2fv(locate(name), 1, GL_FALSE, glm::value_ptr(m));
 }
+void GlProgram::set(const char* name, Color c) { set(name, glm::vec4(channelsOf(c) / 255.0)); }
 
 }  // namespace triscope

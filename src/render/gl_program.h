@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include <glm/mat3x2.hpp>
+#include <glm/vec2.hpp>
+
 #include "render/color.h"
 #include "render/gl_object.h"
 
@@ -18,8 +21,9 @@ class GlProgram {
   void set(const char* name, float x);
   void set(const char* name, int x);
   void set(const char* name, bool x) { set(name, x ? 1 : 0); }
-  void set(const char* name, float x, float y);
-  void set(const char* name, float x, float y, float z, float w);
+  void set(const char* name, glm::vec2 v);
+  void set(const char* name, glm::vec4 v);
+  void set(const char* name, const glm::mat3x2& m);
   void set(const char* name, Color color);
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <numbers>
 #include <vector>
 
@@ -14,20 +15,15 @@ constexpr double kHatchSpacing = 7.0;  // pixels at 100 %
 constexpr double kMarkStroke = 1.2;
 constexpr float kSmallestMark = markSize(1.0e3f, 0.0);
 
-/// clip = (position - origin) * scale + offset, for shaders that hold positions relative to `origin`.
+/// For shaders that hold positions relative to `origin`.
 void setView(GlProgram& program, const Camera& camera, Point origin) {
-  const double sx = 2.0 * camera.scale / camera.width;
-  const double sy = 2.0 * camera.scale / camera.height;
-  const Point shift = origin - camera.centre;
-  program.set("uView", static_cast<float>(sx), static_cast<float>(sy), static_cast<float>(sx * shift.x),
-              static_cast<float>(sy * shift.y));
+  program.set("uView", glm::mat3x2(clipFrom(camera, origin)));
 }
 
 void setDash(GlProgram& program, const LineStyle& style, double density) {
   const DashPattern pattern = patternOf(style.dash);
   const auto unit = static_cast<float>(density * dashUnit(style.width));
-  program.set("uDash", unit * pattern.lengths[0], unit * pattern.lengths[1], unit * pattern.lengths[2],
-              unit * pattern.lengths[3]);
+  program.set("uDash", unit * glm::make_vec4(pattern.lengths.data()));
   program.set("uDashCount", pattern.count);
 }
 
@@ -123,7 +119,7 @@ void GlRenderer::drawLarge(const Scene& scene, View view, const Drawn& wanted) {
   // What else lies there is drawn again too, and falls on the same pixels as before.
   constexpr double kMargin = 3.0;  // pixels at 100 %, for the width of edges
   const double margin = kMargin * view.density;
-  const Point a = toPixel(view.camera, change.where.lo), b = toPixel(view.camera, change.where.hi);  // y down
+  const Pixel a = toPixel(view.camera, change.where.lo), b = toPixel(view.camera, change.where.hi);  // y down
   const auto clipped = [](double value, double most) { return static_cast<GLint>(std::clamp(value, 0.0, most)); };
   const GLint left = clipped(std::floor(a.x - margin), view.camera.width);
   const GLint right = clipped(std::ceil(b.x + margin), view.camera.width);
@@ -187,7 +183,7 @@ void GlRenderer::drawLines(GlLines& batch, const View& view) {
   if (batch.mesh.count == 0) return;
   lines_.use();
   setView(lines_, view.camera, view.origin);
-  lines_.set("uViewport", static_cast<float>(view.camera.width), static_cast<float>(view.camera.height));
+  lines_.set("uViewport", glm::vec2(view.camera.size()));
   lines_.set("uPixelsPerUnit", static_cast<float>(view.camera.scale));
   lines_.set("uHalfWidth", halfWidth(batch.style, view.density));
   lines_.set("uColor", batch.style.color);
@@ -200,13 +196,14 @@ void GlRenderer::drawLines(GlLines& batch, const View& view) {
 void GlRenderer::drawCircle(const Circle& circle, const View& view) {
   const double radius =
       std::max(circle.radius * view.camera.scale, view.density * static_cast<double>(circle.minimumRadius));
-  const Point centre = view.camera.scale * (circle.centre - view.camera.centre);
+  const Point way = view.camera.scale * (circle.centre - view.camera.centre);
+  const glm::dvec2 centre(way.x, way.y);
   // Enough sides that the strip stays within half a pixel of the rim; more cannot be told apart.
   const int sides = std::clamp(static_cast<int>(std::numbers::pi * std::sqrt(std::max(radius, 4.0))), 24, 4096);
   circles_.use();
-  circles_.set("uCentre", static_cast<float>(centre.x), static_cast<float>(centre.y));
+  circles_.set("uCentre", glm::vec2(centre));
   circles_.set("uRadius", static_cast<float>(radius));
-  circles_.set("uViewport", static_cast<float>(view.camera.width), static_cast<float>(view.camera.height));
+  circles_.set("uViewport", glm::vec2(view.camera.size()));
   circles_.set("uHalfWidth", halfWidth(circle.style, view.density));
   circles_.set("uSides", sides);
   circles_.set("uColor", circle.style.color);

@@ -4,14 +4,13 @@
 #include <optional>
 
 #include "core/density/wanted.h"
+#include "core/mesh/edit.h"
 #include "render/scene_parts.h"
 
 namespace triscope::detail {
 namespace {
 
 using std::size_t;
-
-size_t at(std::int32_t i) { return static_cast<size_t>(i); }
 
 double areaOf(const Mesh& mesh, const Triangle& t) {
   const Point a = mesh.points[at(t.v[0])];

@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "core/density/wanted.h"
+#include "core/mesh/edit.h"
 #include "render/boundary_points.h"
 #include "render/scene_parts.h"
 
@@ -10,8 +11,6 @@ namespace triscope::detail {
 namespace {
 
 using std::size_t;
-
-size_t at(std::int32_t i) { return static_cast<size_t>(i); }
 
 // Typical distance to the neighbours of a vertex, from the density rank where it was placed.
 float spacingOf(const MeshState& state, std::int32_t vertex) {

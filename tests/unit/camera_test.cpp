@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/vec3.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,18 @@ TEST(Camera, FittedCopesWithBoxesWithoutExtent) {
   EXPECT_TRUE(std::isfinite(point.scale) && point.scale > 0.0);
   EXPECT_TRUE(std::isfinite(fitted(boxOf(0, 1, 7, 1), 100.0, 100.0, 5.0).scale));
   EXPECT_GT(fitted(boxOf(0, 0, 1, 1), 0.0, 0.0, 50.0).scale, 0.0);
+}
+
+TEST(Camera, ClipCoordinatesAreThePicturesCorners) {
+  Camera camera{{3.0, -2.0}, 40.0, 800.0, 600.0};
+  const Point origin{1.0, 1.0};
+  const glm::dmat3x2 clip = clipFrom(camera, origin);
+  for (const Pixel corner : {Pixel(0, 0), Pixel(800, 0), Pixel(800, 600), Pixel(0, 600), Pixel(400, 300)}) {
+    const Point place = toWorld(camera, corner) - origin;
+    const glm::dvec2 at = clip * glm::dvec3(place.x, place.y, 1.0);
+    EXPECT_NEAR(at.x, corner.x / 400.0 - 1.0, 1e-12);
+    EXPECT_NEAR(at.y, 1.0 - corner.y / 300.0, 1e-12);
+  }
 }
 
 TEST(Camera, ZoomKeepsThePointUnderTheCursor) {

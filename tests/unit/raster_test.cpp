@@ -23,7 +23,7 @@ double inkIn(const Image& image) {
   return sum;
 }
 
-Image painted(int size, const std::vector<std::vector<Point>>& polygons) {
+Image painted(int size, const std::vector<std::vector<Pixel>>& polygons) {
   Image image(size, size, kWhite);
   Coverage coverage(size, size);
   for (const auto& polygon : polygons) coverage.addPolygon(polygon);
@@ -43,17 +43,17 @@ TEST(Coverage, IsTheExactArea) {
 }
 
 TEST(Coverage, DoesNotDependOnTheTurn) {
-  const std::vector<Point> one{{1, 1}, {9, 2}, {4, 8}};
-  const std::vector<Point> other(one.rbegin(), one.rend());
+  const std::vector<Pixel> one{{1, 1}, {9, 2}, {4, 8}};
+  const std::vector<Pixel> other(one.rbegin(), one.rend());
   EXPECT_EQ(painted(12, {one}).pixels, painted(12, {other}).pixels);
 }
 
 TEST(Coverage, PiecesOfOnePolygonLeaveNoSeam) {
-  std::vector<std::vector<Point>> fan;
+  std::vector<std::vector<Pixel>> fan;
   for (int i = 0; i < 11; ++i) {
     const auto corner = [](int k) {
       const double a = 2.0 * std::numbers::pi * k / 11.0;
-      return Point{20.0 + 18.0 * std::cos(a), 20.0 + 18.0 * std::sin(a)};
+      return Pixel{20.0 + 18.0 * std::cos(a), 20.0 + 18.0 * std::sin(a)};
     };
     fan.push_back({{20.2, 19.7}, corner(i), corner(i + 1)});
   }
@@ -72,7 +72,7 @@ TEST(Coverage, WhatLiesOutsideIsCutOff) {
 
 TEST(SampleFill, NeighboursOfTwoColoursLeaveNoBackground) {
   Image image(30, 30, kWhite);
-  const std::vector<Point> points{{2, 2}, {28, 3}, {27, 28}, {3, 26}, {13.3, 17.1}};
+  const std::vector<Pixel> points{{2, 2}, {28, 3}, {27, 28}, {3, 26}, {13.3, 17.1}};
   const std::vector<Index3> triangles{{{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}};
   const std::vector<Color> fills{{200, 0, 0, 255}, {0, 0, 200, 255}, {200, 0, 0, 255}, {0, 0, 200, 255}};
   fillTriangles(image, {0, 0, 30, 30}, points, triangles, fills, false);
@@ -84,7 +84,7 @@ TEST(SampleFill, NeighboursOfTwoColoursLeaveNoBackground) {
 
 TEST(SampleFill, TranslucentNeighboursAreNotDrawnTwice) {
   Image image(20, 20, kWhite);
-  const std::vector<Point> points{{1, 1}, {19, 1}, {19, 19}, {1, 19}};
+  const std::vector<Pixel> points{{1, 1}, {19, 1}, {19, 19}, {1, 19}};
   const std::vector<Index3> triangles{{{0, 1, 2}}, {{0, 2, 3}}};
   const std::vector<Color> fills{{0, 0, 0, 128}};
   fillTriangles(image, {0, 0, 20, 20}, points, triangles, fills, false);
@@ -95,7 +95,7 @@ TEST(SampleFill, TranslucentNeighboursAreNotDrawnTwice) {
 
 TEST(SampleFill, KeepsInsideItsClip) {
   Image image(20, 20, kWhite);
-  const std::vector<Point> points{{-100, -100}, {200, -100}, {50, 300}};
+  const std::vector<Pixel> points{{-100, -100}, {200, -100}, {50, 300}};
   const std::vector<Index3> triangles{{{0, 1, 2}}};
   const std::vector<Color> fills{kBlack};
   fillTriangles(image, {5, 6, 9, 12}, points, triangles, fills, false);
@@ -103,7 +103,7 @@ TEST(SampleFill, KeepsInsideItsClip) {
 }
 
 TEST(Stroke, DashesCoverTheirShare) {
-  const std::vector<Point> line{{0, 0}, {70, 0}, {70, 70}, {0, 70}};
+  const std::vector<Pixel> line{{0, 0}, {70, 0}, {70, 70}, {0, 70}};
   const Paths dashes = dashed(line, patternOf(Dash::dashed), 1.0);
   double on = 0.0;
   for (std::size_t i = 0; i < dashes.starts.size(); ++i) {

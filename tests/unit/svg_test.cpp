@@ -165,9 +165,9 @@ TEST(Layout, LabelsKeepClearOfWhatIsThereWhereTheyCan) {
   label.dy = -6.0f;
   scene.layers[static_cast<std::size_t>(LayerId::worst)].labels.push_back(label);
   const Camera camera{{50.0, 50.0}, 2.0, 300.0, 200.0};
-  const Point free = placeLabels(scene, camera, 1.0).at(0).at;
+  const Pixel free = placeLabels(scene, camera, 1.0).at(0).at;
   const std::array<Rect, 1> there{{{free.x, free.y - 10.0, 20.0, 10.0}}};
-  const Point aside = placeLabels(scene, camera, 1.0, there).at(0).at;
+  const Pixel aside = placeLabels(scene, camera, 1.0, there).at(0).at;
   EXPECT_NE(aside, free);
   const std::array<Rect, 1> everywhere{{{0.0, 0.0, 300.0, 200.0}}};
   EXPECT_EQ(placeLabels(scene, camera, 1.0, everywhere).at(0).at, free);
