@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "render/pixel.h"
 #include "render/image.h"
+#include "render/pixel.h"
 
 namespace triscope {
 

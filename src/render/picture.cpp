@@ -100,9 +100,7 @@ class Plotter {
     for (const MarkBatch& batch : layer.marks) draw(batch);
   }
 
-  [[nodiscard]] Pixel pixel(Point world) const {
-    return Pixel(plot_.x, plot_.y) + toPixel(camera_, world);
-  }
+  [[nodiscard]] Pixel pixel(Point world) const { return Pixel(plot_.x, plot_.y) + toPixel(camera_, world); }
 
  private:
   [[nodiscard]] std::vector<Pixel> pixels(const std::vector<Point>& world) const {

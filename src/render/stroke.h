@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "render/pixel.h"
 #include "render/canvas.h"
+#include "render/pixel.h"
 
 namespace triscope {
 

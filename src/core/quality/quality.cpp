@@ -57,7 +57,9 @@ TriangleQuality withoutAngles(Point a, Point b, Point c, TriangleSide (&sides)[3
 double smallestAngle(const TriangleSide (&sides)[3]) {
   return angleAt(sides[0].opposite, sides[1].opposite, sides[2].opposite);
 }
-double largestAngle(const TriangleSide (&sides)[3]) { return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite); }
+double largestAngle(const TriangleSide (&sides)[3]) {
+  return angleAt(sides[2].opposite, sides[0].opposite, sides[1].opposite);
+}
 
 // Cosine of the angle between two sides, by their squares and that of the third: to see which angles are worth an arc
 // tangent. Not a number, as anything compared with it is false, for a side without length.

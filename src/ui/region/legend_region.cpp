@@ -57,9 +57,7 @@ bool legendMayCover(const View& view, ImVec2 size) {
 }
 
 Rect legendCovers(const View& view, ImVec2 size) {
-  const ImVec2 covered = view.legendOnCanvas ? legendNeeds(view)
-                         : view.ui.legendFolded ? foldedSize()
-                                                : ImVec2{0, 0};
+  const ImVec2 covered = view.legendOnCanvas ? legendNeeds(view) : view.ui.legendFolded ? foldedSize() : ImVec2{0, 0};
   if (covered.x * covered.y <= 0.0f || (view.ui.legendFolded && isTooMuch(covered, size))) return {};
   const float margin = view.px(kMargin);
   return {static_cast<double>(size.x - covered.x - margin), static_cast<double>(margin), static_cast<double>(covered.x),
