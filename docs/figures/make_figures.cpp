@@ -60,7 +60,7 @@ bool draw(const MeshState& state, const FigurePreset& preset, const std::string&
 int main(int argc, char** argv) {
   if (argc != 3) {
     fmt::print(stderr, "usage: {} DOMAINS FOLDER\n", argv[0]);
-    return static_cast<int>(ExitCode::usage);
+    return 2;
   }
   MeshState state;
   std::string_view domain;
