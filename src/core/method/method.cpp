@@ -216,7 +216,7 @@ constexpr GroupWords wordsOf(StageGroup group) {
   return found == kGroups.end() ? GroupWords{group, "", "", ""} : *found;
 }
 
-std::string turnOf(const GroupWords& group, unsigned turn) {
+std::string turnOf(const GroupWords& group, int turn) {
   return group.turn.empty() || turn == 0 ? std::string() : fmt::format("{} {}", group.turn, turn);
 }
 
@@ -235,9 +235,9 @@ const Method& paperMethod() { return kPaperMethod; }
 
 std::string_view groupKey(StageGroup group) { return wordsOf(group).key; }
 
-std::string turnText(Stage stage, unsigned turn) { return turnOf(wordsOf(infoOf(stage).group), turn); }
+std::string turnText(Stage stage, int turn) { return turnOf(wordsOf(infoOf(stage).group), turn); }
 
-std::string turnHeading(Stage stage, unsigned turn) {
+std::string turnHeading(Stage stage, int turn) {
   const StageInfo& info = infoOf(stage);
   const GroupWords group = wordsOf(info.group);
   std::string text = turnOf(group, turn);

@@ -75,9 +75,9 @@ inline bool refinesMesh(Stage stage) { return infoOf(stage).group == StageGroup:
 std::string_view groupKey(StageGroup group);
 
 /// "round 3" in the rounds, "pass 3" in refinement; empty where nothing is counted.
-std::string turnText(Stage stage, unsigned turn);
+std::string turnText(Stage stage, int turn);
 /// The same with what it is a turn of: "Round 3 of steps 2 to 5", "Pass 3 of step 6".
-std::string turnHeading(Stage stage, unsigned turn);
+std::string turnHeading(Stage stage, int turn);
 
 /// First stage that the difference between two settings can matter to; `finished` when they are the same.
 Stage firstAffected(const Settings& a, const Settings& b);

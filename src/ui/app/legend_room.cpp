@@ -1,7 +1,5 @@
 #include "ui/app/legend_room.h"
 
-#include <utility>
-
 #include "ui/region/regions.h"
 
 namespace triscope {
@@ -10,7 +8,7 @@ void LegendRoom::look(ImVec2 window) {
   const UiState& ui = desk_.ui;
   Room room{window, ui.scale(), ui.look, ui.debug.bottom, ui.sidePanels, ui.pinned};
   if (room == room_) return;
-  room_ = std::move(room);
+  room_ = room;
   desk_.ui.legendPlace = LegendPlace::anywhere;
 }
 

@@ -118,8 +118,7 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
 
 void drawStages(const View& view, Orders& orders) {
   const MeshState* const state = view.now() != nullptr ? &view.now()->state : nullptr;
-  if (state != nullptr && view.round() > 0)
-    muted(view, turnHeading(state->stage, static_cast<std::uint32_t>(view.round())));
+  if (state != nullptr && view.round() > 0) muted(view, turnHeading(state->stage, view.round()));
   for (const StageInfo& info : stages()) row(view, orders, info, state);
 }
 
