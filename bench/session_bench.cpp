@@ -77,6 +77,7 @@ void say(const char* what, std::vector<double> times) {
 
 std::vector<double> repeated(Viewer& viewer, const Command& command, int times) {
   std::vector<double> all;
+  all.reserve(static_cast<std::size_t>(times));
   for (int k = 0; k < times; ++k) all.push_back(viewer.time(command));
   return all;
 }
