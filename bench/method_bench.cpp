@@ -1,9 +1,8 @@
 // The whole method and each of its stages against the number of points.
-#include <sys/resource.h>
-
 #include "core/domain/read.h"
 #include "core/run/driver.h"
 #include "core/run/event_log.h"
+#include "process_cost.h"
 #include "ring.h"
 #include "timed_run.h"
 
@@ -107,12 +106,6 @@ void airfoilHistory(benchmark::State& bench) {
   bench.counters["keyframe_bytes"] = static_cast<double>(keyframeBytes);
 }
 BENCHMARK(airfoilHistory)->Arg(0)->Arg(1)->Arg(2)->UseManualTime()->MinTime(1.0)->Unit(benchmark::kMillisecond);
-
-std::int64_t peakBytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
-}
 
 /// Peak memory of one run; only the first run of a process tells, so ask for this one alone.
 void ringMemory(benchmark::State& bench) {

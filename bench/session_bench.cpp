@@ -1,39 +1,28 @@
 // How long a session takes to answer, without its thread and without a window: triscope_session_bench [DOMAIN], or else
 // the ring of a million triangles.
 // Milliseconds of processor time. The viewer here keeps what a window keeps of a run: the snapshot and the events.
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <vector>
 
 #include "core/domain/read.h"
 #include "core/run/event_log.h"
 #include "core/session/session_work.h"
+#include "process_cost.h"
 #include "ring.h"
 
 namespace triscope::bench {
 namespace {
 
-double processorTime() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
+double processorTime() { return 1e3 * processorSeconds(); }
 
 double residentMiB() {
   long pages = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> pages >> resident;
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1048576.0;
-}
-
-double peakMiB() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 struct Viewer {
@@ -105,7 +94,7 @@ int run(const Command& opens) {
   const double start = processorTime();
   while (traceLags(viewer.work)) carryTrace(viewer.work);
   say("the measures along the run", processorTime() - start);
-  std::printf("peak %.0f MiB\n", peakMiB());
+  std::printf("peak %.0f MiB\n", static_cast<double>(peakBytes()) / 1048576.0);
   return 0;
 }
 

@@ -4,9 +4,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <ctime>
-
 #include "core/domain/read.h"
+#include "process_cost.h"
 
 namespace triscope::bench {
 namespace {
@@ -23,12 +22,6 @@ int missCounter() {
 }
 
 }  // namespace
-
-double processorSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::optional<double> cacheMisses() {
   static const int counter = missCounter();

@@ -13,9 +13,6 @@
 
 namespace triscope::bench {
 
-/// Seconds of processor time: unlike those on the wall, they do not count what other work takes.
-double processorSeconds();
-
 /// Misses of the last-level cache by this process so far; none where the machine or its settings do not count them.
 std::optional<double> cacheMisses();
 
