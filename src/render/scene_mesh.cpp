@@ -5,22 +5,13 @@
 
 #include "core/density/wanted.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/inside_box.h"
 #include "render/scene_parts.h"
 
 namespace triscope::detail {
 namespace {
 
 using std::size_t;
-
-double areaOf(const Mesh& mesh, const Triangle& t) {
-  const Point a = mesh.points[at(t.v[0])];
-  return 0.5 * cross(mesh.points[at(t.v[1])] - a, mesh.points[at(t.v[2])] - a);
-}
-
-bool touchesHelper(const Mesh& mesh, const Triangle& t) {
-  return std::any_of(t.v.begin(), t.v.end(),
-                     [&mesh](std::int32_t v) { return mesh.kinds[at(v)] == VertexKind::helper; });
-}
 
 bool isObtuse(const Mesh& mesh, const Triangle& t) {
   for (int i = 0; i < 3; ++i) {
@@ -49,12 +40,12 @@ float measureOne(const Mesh& mesh, const Triangle& t, TriangleFill fill) {
   return 0.0f;
 }
 
-float areaRatio(const Mesh& mesh, const Triangle& t) {
-  const double area = areaOf(mesh, t);
+float areaRatio(const Mesh& mesh, std::int32_t slot) {
+  const double area = twiceArea(mesh, slot);
   if (area <= 0.0) return 0.0f;
   double worst = 1.0;
-  for (const std::int32_t half : t.adj) {
-    const double other = half < 0 ? 0.0 : areaOf(mesh, mesh.triangles[at(triangleOf(half))]);
+  for (const std::int32_t half : triangleAt(mesh, slot).adj) {
+    const double other = half < 0 ? 0.0 : twiceArea(mesh, triangleOf(half));
     if (other > 0.0) worst = std::max({worst, other / area, area / other});
   }
   return static_cast<float>(worst);
@@ -107,30 +98,16 @@ Index3 cornersOf(const Triangle& t) {
   return {static_cast<std::uint32_t>(t.v[0]), static_cast<std::uint32_t>(t.v[1]), static_cast<std::uint32_t>(t.v[2])};
 }
 
-/// Which triangles of a mesh are inside of the box around everything, as all are once it is gone.
-class Inner {
- public:
-  explicit Inner(const Mesh& mesh)
-      : mesh_(mesh), box_(std::find(mesh.kinds.begin(), mesh.kinds.end(), VertexKind::helper) != mesh.kinds.end()) {}
-  [[nodiscard]] bool has(std::int32_t slot) const {
-    return mesh_.alive(slot) && !(box_ && touchesHelper(mesh_, triangleAt(mesh_, slot)));
-  }
-
- private:
-  const Mesh& mesh_;
-  bool box_;
-};
-
 /// A triangle for each slot, and room for slots to come.
 void fillBySlot(const SceneInput& in, TriangleBatch& batch) {
   const Mesh& mesh = in.state.mesh;
-  const Inner inner(mesh);
+  const InsideBox inside(mesh);
   const Fills fills(in);
   batch.triangles.resize(mesh.triangles.size() + mesh.triangles.size() / 64 + 64, kHole);
   if (!fills.alike()) batch.fills.resize(batch.triangles.size(), fills.plain());
   for (size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
     const auto here = static_cast<std::int32_t>(slot);
-    if (!inner.has(here)) continue;
+    if (!inside.has(here)) continue;
     batch.triangles[slot] = cornersOf(mesh.triangles[slot]);
     if (!fills.alike()) batch.fills[slot] = fills.of(here);
   }
@@ -140,7 +117,7 @@ void fillBySlot(const SceneInput& in, TriangleBatch& batch) {
 /// The triangles that there are, and the edges.
 void fillOnce(const SceneInput& in, TriangleBatch& inner, TriangleBatch& helper) {
   const Mesh& mesh = in.state.mesh;
-  const Inner inside(mesh);
+  const InsideBox inside(mesh);
   const Fills fills(in);
   inner.triangles.reserve(mesh.liveCount());
   inner.edges.reserve(mesh.liveCount() * 3 / 2 + 64);
@@ -177,13 +154,13 @@ std::vector<std::uint8_t> movedPoints(const std::vector<Point>& before, const st
 }
 
 /// Triangles of a batch by slot that are not as they are in the mesh; nothing when they are more than a few.
-std::optional<std::vector<std::uint32_t>> differing(const TriangleBatch& batch, const Mesh& mesh) {
+std::optional<std::vector<std::uint32_t>> differing(const TriangleBatch& batch, const Mesh& mesh,
+                                                    const InsideBox& inside) {
   constexpr size_t kMost = 4096;
   const std::vector<std::uint8_t> moved = movedPoints(batch.points, mesh.points);
-  const Inner inner(mesh);
   std::vector<std::uint32_t> slots;
   for (size_t slot = 0; slot < batch.triangles.size(); ++slot) {
-    const bool there = slot < mesh.triangles.size() && inner.has(static_cast<std::int32_t>(slot));
+    const bool there = slot < mesh.triangles.size() && inside.has(static_cast<std::int32_t>(slot));
     const Index3 now = there ? cornersOf(mesh.triangles[slot]) : kHole;
     if (now == batch.triangles[slot] && (!there || moved.empty() || !(moved[now[0]] | moved[now[1]] | moved[now[2]])))
       continue;
@@ -225,7 +202,7 @@ MeasureScale scaleOf(TriangleFill fill) {
 float measureSlot(const MeshState& state, std::int32_t slot, TriangleFill fill) {
   const Mesh& mesh = state.mesh;
   const Triangle& t = triangleAt(mesh, slot);
-  if (fill == TriangleFill::area_ratio) return areaRatio(mesh, t);
+  if (fill == TriangleFill::area_ratio) return areaRatio(mesh, slot);
   if (fill != TriangleFill::density) return measureOne(mesh, t, fill);
   const Point sum = mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])];
   return static_cast<float>(wantedAt(state.tree, (1.0 / 3.0) * sum).value_or(Wanted{}).rank);
@@ -266,7 +243,8 @@ bool patchMesh(const SceneInput& in, Layer& layer) {
   const bool alike = batch.fills.size() <= 1;
   if (mesh.triangles.size() > batch.triangles.size() || alike != fills.alike()) return false;
   if (alike && (batch.fills.empty() ? fills.plain().a > 0 : batch.fills.front() != fills.plain())) return false;
-  std::optional<std::vector<std::uint32_t>> slots = differing(batch, mesh);
+  const InsideBox inside(mesh);
+  std::optional<std::vector<std::uint32_t>> slots = differing(batch, mesh, inside);
   if (!slots) return false;
   if (fills.ofPairs()) addNeighbours(*slots, mesh);
 
@@ -275,11 +253,10 @@ bool patchMesh(const SceneInput& in, Layer& layer) {
     if (t == kHole) return;
     for (const std::uint32_t v : t) where.include(points[v]);
   };
-  const Inner inner(mesh);
   for (const std::uint32_t slot : *slots) include(batch.points, batch.triangles[slot]);
   for (const std::uint32_t slot : *slots) {
     const auto here = static_cast<std::int32_t>(slot);
-    const bool there = slot < mesh.triangles.size() && inner.has(here);
+    const bool there = slot < mesh.triangles.size() && inside.has(here);
     batch.triangles[slot] = there ? cornersOf(mesh.triangles[slot]) : kHole;
     include(mesh.points, batch.triangles[slot]);
     if (there && !alike) batch.fills[slot] = fills.of(here);

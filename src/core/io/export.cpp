@@ -8,14 +8,11 @@
 #include "core/domain/loop_of.h"
 #include "core/io/edge_groups.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/inside_box.h"
 #include "core/quality/running_quality.h"
 
 namespace triscope {
 namespace {
-
-bool ofTheBox(const Mesh& mesh, const Triangle& triangle) {
-  return std::ranges::any_of(triangle.v, [&](std::int32_t v) { return mesh.kinds[at(v)] == VertexKind::helper; });
-}
 
 /// A point inside the closed polygon that these edges form: the middle of the widest inside stretch of a horizontal
 /// line that passes no vertex.
@@ -73,9 +70,10 @@ void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFil
 /// The triangles to be written, by id. Ids are dense enough that putting each in its place beats sorting.
 std::vector<std::int32_t> slotsById(const Mesh& mesh) {
   std::vector<std::int32_t> slots(mesh.nextId, -1);
+  const InsideBox inside(mesh);
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
     const auto index = static_cast<std::int32_t>(slot);
-    if (mesh.alive(index) && !ofTheBox(mesh, mesh.triangles[slot])) slots[idOf(mesh, index)] = index;
+    if (inside.has(index)) slots[idOf(mesh, index)] = index;
   }
   std::erase(slots, -1);
   return slots;

@@ -1,6 +1,7 @@
 #include "core/quality/quality.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "core/geometry/predicates.h"
 #include "core/geometry/trig.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/inside_box.h"
 #include "core/mesh/mesh_changes.h"
 #include "core/quality/quality_parts.h"
 
@@ -85,15 +87,19 @@ void add(RunningSum& sum, double value) {
 }
 double resultOf(const RunningSum& sum) { return sum.total + sum.lost; }
 
-bool counts(const Mesh& mesh, std::int32_t slot) { return mesh.alive(slot) && !touchesHelper(mesh, slot); }
-
-void addPairs(QualityPart& part, const Mesh& mesh, std::int32_t slot) {
-  const double here = 0.5 * std::fabs(twiceArea(mesh, slot));
+/// The pairs that belong to a slot. `areas` are those of the slots from `first` on, -1 of those that do not count.
+void addPairs(QualityPart& part, const Mesh& mesh, const InsideBox& inside, std::int32_t slot, std::int32_t first,
+              const std::array<double, kPart>& areas) {
+  const double here = areas[at(slot - first)];
   const std::uint32_t id = mesh.ids[at(slot)];
   for (const std::int32_t across : mesh.triangles[at(slot)].adj) {
     const std::int32_t other = across / 3;
-    if (across < 0 || other < slot || !counts(mesh, other)) continue;  // no neighbour, or looked at from there
-    const double there = 0.5 * std::fabs(twiceArea(mesh, other));
+    if (across < 0 || other < slot) continue;  // no neighbour, or looked at from there
+    const bool known = at(other - first) < areas.size();
+    const double there = known               ? areas[at(other - first)]
+                         : inside.has(other) ? 0.5 * std::fabs(twiceArea(mesh, other))
+                                             : -1.0;
+    if (there < 0.0) continue;
     const std::uint32_t otherId = mesh.ids[at(other)];
     const bool hereFirst = here > there || (here == there && id < otherId);
     const double smaller = hereFirst ? there : here;
@@ -102,12 +108,15 @@ void addPairs(QualityPart& part, const Mesh& mesh, std::int32_t slot) {
   }
 }
 
-QualityPart measurePart(const Mesh& mesh, std::size_t which) {
+QualityPart measurePart(const Mesh& mesh, const InsideBox& inside, std::size_t which) {
   QualityPart part;
   double smallest = -1.0, largest = 1.0;  // cosines of the smallest and of the largest angle so far
   const auto end = static_cast<std::int32_t>(std::min((which + 1) * kPart, mesh.triangles.size()));
-  for (auto slot = static_cast<std::int32_t>(which * kPart); slot < end; ++slot) {
-    if (!counts(mesh, slot)) continue;
+  const auto first = static_cast<std::int32_t>(which * kPart);
+  std::array<double, kPart> areas;
+  areas.fill(-1.0);
+  for (std::int32_t slot = first; slot < end; ++slot) {
+    if (!inside.has(slot)) continue;
     const auto& v = mesh.triangles[at(slot)].v;
     TriangleSide sides[3];
     const TriangleQuality t = withoutAngles(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])], sides);
@@ -129,26 +138,27 @@ QualityPart measurePart(const Mesh& mesh, std::size_t which) {
     add(part.aspects, t.aspect);
     ++part.triangles;
     if (t.obtuse) ++part.obtuse;
-    addPairs(part, mesh, slot);
+    areas[at(slot - first)] = std::fabs(t.area);
   }
+  for (std::int32_t slot = first; slot < end; ++slot)
+    if (areas[at(slot - first)] >= 0.0) addPairs(part, mesh, inside, slot, first, areas);
   return part;
 }
 
-/// Whether some triangle that counts has this corner. `helpers`: some do not count.
-bool isUsed(const Mesh& mesh, std::int32_t vertex, bool helpers, Star& star) {
+/// Whether some triangle that counts has this corner.
+bool isUsed(const Mesh& mesh, const InsideBox& inside, std::int32_t vertex, Star& star) {
   const std::int32_t slot = mesh.vertexTriangle[at(vertex)];
   if (slot < 0 || !mesh.alive(slot)) return false;
-  if (!helpers || !touchesHelper(mesh, slot)) return true;
+  if (!inside.boxed() || inside.has(slot)) return true;
   starOf(mesh, vertex, star);
   return std::any_of(star.rim.begin(), star.rim.end(),
-                     [&mesh](std::int32_t half) { return !touchesHelper(mesh, triangleOf(half)); });
+                     [&inside](std::int32_t half) { return inside.has(triangleOf(half)); });
 }
 
-void countVertices(const Mesh& mesh, Quality& q) {
-  const bool helpers = std::find(mesh.kinds.begin(), mesh.kinds.end(), VertexKind::helper) != mesh.kinds.end();
+void countVertices(const Mesh& mesh, const InsideBox& inside, Quality& q) {
   Star star;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (!isUsed(mesh, static_cast<std::int32_t>(v), helpers, star)) continue;
+    if (!isUsed(mesh, inside, static_cast<std::int32_t>(v), star)) continue;
     ++q.vertices;
     if (mesh.vertexEdge[v] != -1) ++q.boundaryVertices;
   }
@@ -170,11 +180,11 @@ void add(QualityPart& sum, const QualityPart& part) {
   sum.aspects.lost += part.aspects.lost;
 }
 
-Quality together(const Mesh& mesh, const std::vector<QualityPart>& parts) {
+Quality together(const Mesh& mesh, const InsideBox& inside, const std::vector<QualityPart>& parts) {
   QualityPart all;
   for (const QualityPart& part : parts) add(all, part);
   Quality q;
-  countVertices(mesh, q);
+  countVertices(mesh, inside, q);
   q.triangles = all.triangles;
   q.obtuse = all.obtuse;
   if (q.triangles == 0) return q;
@@ -207,10 +217,11 @@ TriangleQuality qualityOf(Point a, Point b, Point c) {
 }
 
 QualityInParts measureInParts(const Mesh& mesh) {
+  const InsideBox inside(mesh);
   QualityInParts result;
   result.parts.resize(partsOf(mesh));
-  for (std::size_t part = 0; part < result.parts.size(); ++part) result.parts[part] = measurePart(mesh, part);
-  result.quality = together(mesh, result.parts);
+  for (std::size_t part = 0; part < result.parts.size(); ++part) result.parts[part] = measurePart(mesh, inside, part);
+  result.quality = together(mesh, inside, result.parts);
   return result;
 }
 
@@ -218,6 +229,7 @@ QualityInParts measureInParts(const Mesh& mesh, const Mesh& before, QualityInPar
   constexpr std::size_t kFew = 8;  // of so many triangles one: where more have changed, hardly a part stays as it is
   const auto changed = changedSlots(before, mesh, mesh.triangles.size() / kFew);
   if (!changed) return measureInParts(mesh);
+  const InsideBox inside(mesh);
   std::vector<std::uint8_t> stale(partsOf(mesh), 0);
   for (const std::int32_t slot : *changed) {
     stale[at(slot) / kPart] = 1;
@@ -229,8 +241,8 @@ QualityInParts measureInParts(const Mesh& mesh, const Mesh& before, QualityInPar
   if (before.triangles.size() != mesh.triangles.size() && known > 0) stale[known - 1] = 1;
   measured.parts.resize(stale.size());
   for (std::size_t part = 0; part < stale.size(); ++part)
-    if (stale[part] != 0 || part >= known) measured.parts[part] = measurePart(mesh, part);
-  measured.quality = together(mesh, measured.parts);
+    if (stale[part] != 0 || part >= known) measured.parts[part] = measurePart(mesh, inside, part);
+  measured.quality = together(mesh, inside, measured.parts);
   return measured;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/explain/life.h"
 #include "core/explain/why.h"
+#include "core/mesh/inside_box.h"
 
 namespace triscope {
 
@@ -56,10 +57,11 @@ void update(Histogram& histogram, const Session& session, Measure measure) {
   constexpr std::size_t kBars = 48;
   histogram = {now->revision, measure, 0.0, 0.0, 0.0, {}};
   const Mesh& mesh = now->state.mesh;
+  const InsideBox inside(mesh);
   std::vector<double> values;
   for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
     const auto at = static_cast<std::int32_t>(slot);
-    if (!mesh.alive(at) || touchesHelper(mesh, at)) continue;
+    if (!inside.has(at)) continue;
     const double value = measuresOf(mesh, at)[static_cast<std::size_t>(measure)];
     if (std::isfinite(value)) values.push_back(value);
   }
