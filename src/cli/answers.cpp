@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/capitalised.h"
 #include "core/base/counted.h"
 #include "core/base/json_text.h"
 #include "core/base/shown_text.h"
 #include "core/explain/caption.h"
 #include "core/explain/element.h"
-#include "core/explain/fields.h"
 #include "core/explain/life.h"
 #include "core/explain/why.h"
 #include "core/io/events_file.h"

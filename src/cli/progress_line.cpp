@@ -54,7 +54,7 @@ void ProgressLine::show(const MeshState& state) {
   std::string line{infoOf(state.stage).name};
   if (state.search.part != ConstraintSearch::Part::over)
     line += fmt::format(", {:.0f} %", 100.0 * fractionOf(state.search, *state.domain));
-  if (const std::string turn = turnText(state.stage, state.round); !turn.empty()) line += ", " + turn;
+  line += turnBehind(state.stage, state.round);
   if (state.estimatedTriangles > 0.0 && !makesDensity(state.stage)) {
     const double part = std::min(1.0, static_cast<double>(triangles) / state.estimatedTriangles);
     const int filled = static_cast<int>(part * kBarWidth);

@@ -13,10 +13,7 @@
 namespace triscope {
 namespace {
 
-std::string stageOf(const StageHash& at) {
-  const std::string turn = turnText(at.stage, at.round);
-  return std::string(infoOf(at.stage).name) + (turn.empty() ? "" : ", " + turn);
-}
+std::string stageOf(const StageHash& at) { return std::string(infoOf(at.stage).name) + turnBehind(at.stage, at.round); }
 
 Error unmet(std::string message, std::string hint, const std::string& file) {
   return {.kind = ErrorKind::unmet, .message = std::move(message), .hint = std::move(hint), .file = file};

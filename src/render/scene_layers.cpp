@@ -1,5 +1,6 @@
 #include "render/scene_layers.h"
 
+#include "core/base/stands_by_ids.h"
 #include "core/words/settings.h"
 
 namespace triscope::detail {
@@ -76,12 +77,7 @@ constexpr std::array<LayerPart, kLayerCount> kParts{
     LayerPart{LayerId::selection, selectionKey, buildSelection},
 };
 
-constexpr bool inOrder() {
-  for (std::size_t i = 0; i < kParts.size(); ++i)
-    if (static_cast<std::size_t>(kParts[i].id) != i) return false;
-  return true;
-}
-static_assert(inOrder());
+static_assert(standsByIds(kParts));
 
 }  // namespace
 

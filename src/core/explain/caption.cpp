@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/capitalised.h"
 #include "core/base/counted.h"
 #include "core/explain/fields.h"
 #include "core/method/estimate.h"

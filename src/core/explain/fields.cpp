@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/capitalised.h"
 #include "core/base/counted.h"
 #include "core/method/estimate.h"
 #include "core/method/pipeline.h"
@@ -65,11 +66,7 @@ struct Field {
 constexpr std::array kFields = std::to_array<Field>({
     {"stage", [](const Event& e) { return capitalised(infoOf(e.stage).name); }},
     {"does", [](const Event& e) { return std::string(infoOf(e.stage).does); }},
-    {"in_round",
-     [](const Event& e) {
-       const std::string turn = turnText(e.stage, e.round);
-       return turn.empty() ? turn : ", " + turn;
-     }},
+    {"in_round", [](const Event& e) { return turnBehind(e.stage, e.round); }},
     {"outcome", outcome},
     {"rule", [](const Event& e) { return capitalised(name(e.rule)); }},
     {"why", [](const Event& e) { return std::string(describe(e.rule)); }},
@@ -127,11 +124,5 @@ std::string filled(std::string_view text, const Event& event) {
 std::string shortNumber(double value) { return fmt::format("{:.4g}", value); }
 
 std::string shortPlace(Point p) { return fmt::format("({:.4g}, {:.4g})", p.x, p.y); }
-
-std::string capitalised(std::string_view text) {
-  std::string result(text);
-  if (!result.empty() && result[0] >= 'a' && result[0] <= 'z') result[0] = static_cast<char>(result[0] - 'a' + 'A');
-  return result;
-}
 
 }  // namespace triscope

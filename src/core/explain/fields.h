@@ -16,7 +16,5 @@ bool isField(std::string_view name);
 /// "1.98": four significant digits are what a reader can compare at a glance.
 std::string shortNumber(double value);
 std::string shortPlace(Point p);
-/// The first letter of an English text in upper case.
-std::string capitalised(std::string_view text);
 
 }  // namespace triscope

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/capitalised.h"
 #include "core/base/counted.h"
 #include "core/explain/answer.h"
 #include "core/explain/caption.h"
-#include "core/explain/fields.h"
 #include "core/explain/shape_story.h"
 
 namespace triscope {

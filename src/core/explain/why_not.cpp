@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/capitalised.h"
 #include "core/explain/answer.h"
-#include "core/explain/fields.h"
 #include "core/explain/why.h"
 #include "core/method/method.h"
 #include "core/words/vocabulary.h"
@@ -76,7 +76,7 @@ Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const Tr
 std::string silence(Events life, const Review& review, const RuleWords& words, bool gone) {
   const std::string rule = capitalised(words.name);
   if (const auto end = review.ended[static_cast<std::size_t>(words.stage)]) {
-    const std::string round = inRounds(words.stage) ? ", " + turnText(words.stage, life[*end].round) : "";
+    const std::string round = inRounds(words.stage) ? turnBehind(words.stage, life[*end].round) : "";
     return fmt::format("{} proposed nothing up to its end at event {}{}: {}.", rule, *end, round, words.silent);
   }
   const bool before = review.endedBefore[static_cast<std::size_t>(words.stage)];

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/capitalised.h"
+#include "core/base/stands_by_ids.h"
 #include "core/method/stages/stage_runs.h"
 
 namespace triscope {
@@ -184,11 +186,7 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .shade = 0.5},
 });
 static_assert(kStages.size() == static_cast<std::size_t>(kStageCount));
-static_assert([] {
-  for (std::size_t k = 0; k < kStages.size(); ++k)
-    if (kStages[k].id != static_cast<Stage>(k) || (k > 0 && kStages[k].group < kStages[k - 1].group)) return false;
-  return true;
-}());
+static_assert(standsByIds(kStages) && std::ranges::is_sorted(kStages, {}, &StageInfo::group));
 
 /// All but the end.
 constexpr std::array kPaperStages = [] {
@@ -237,13 +235,17 @@ std::string_view groupKey(StageGroup group) { return wordsOf(group).key; }
 
 std::string turnText(Stage stage, int turn) { return turnOf(wordsOf(infoOf(stage).group), turn); }
 
+std::string turnBehind(Stage stage, int turn) {
+  const std::string text = turnText(stage, turn);
+  return text.empty() ? text : ", " + text;
+}
+
 std::string turnHeading(Stage stage, int turn) {
   const StageInfo& info = infoOf(stage);
   const GroupWords group = wordsOf(info.group);
-  std::string text = turnOf(group, turn);
-  if (text.empty()) return text;
-  text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return fmt::format("{} of {}", text, group.turnsOf.empty() ? info.name : group.turnsOf);
+  const std::string text = turnOf(group, turn);
+  if (text.empty()) return {};
+  return fmt::format("{} of {}", capitalised(text), group.turnsOf.empty() ? info.name : group.turnsOf);
 }
 
 Stage firstAffected(const Settings& a, const Settings& b) {

@@ -76,6 +76,8 @@ std::string_view groupKey(StageGroup group);
 
 /// "round 3" in the rounds, "pass 3" in refinement; empty where nothing is counted.
 std::string turnText(Stage stage, int turn);
+/// The same behind a name: ", round 3".
+std::string turnBehind(Stage stage, int turn);
 /// The same with what it is a turn of: "Round 3 of steps 2 to 5", "Pass 3 of step 6".
 std::string turnHeading(Stage stage, int turn);
 

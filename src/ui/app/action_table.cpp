@@ -1,6 +1,7 @@
 // The table of actions, put together from its parts. docs/keys.md is printed from it.
 #include <algorithm>
 
+#include "core/base/stands_by_ids.h"
 #include "ui/app/actions_compare.h"
 #include "ui/app/actions_debug.h"
 #include "ui/app/actions_edit.h"
@@ -21,12 +22,7 @@ constexpr auto joined(const std::array<ActionInfo, Counts>&... parts) {
 }
 constexpr auto kActions = joined(kFileActions, kRunActions, kEditActions, kDebugActions, kCompareActions, kViewActions);
 
-constexpr bool inOrder() {
-  for (std::size_t k = 0; k < kActions.size(); ++k)
-    if (static_cast<std::size_t>(kActions[k].id) != k) return false;
-  return kActions.size() == static_cast<std::size_t>(kActionCount);
-}
-static_assert(inOrder());
+static_assert(kActions.size() == kActionCount && standsByIds(kActions));
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/capitalised.h"
 #include "core/base/version.h"
 #include "ui/dialog/dialogs.h"
 #include "ui/kit/widgets.h"
@@ -79,10 +80,7 @@ void drawErrorDialog(const View& view, Orders& orders) {
   if (!view.ui.error || !beginDialog(view, "This did not work", 520)) return;
   const Error& error = *view.ui.error;
   ImGui::PushFont(view.fonts.strong);
-  std::string message = error.message;
-  if (!message.empty() && message[0] >= 'a' && message[0] <= 'z')
-    message[0] = static_cast<char>(message[0] - 'a' + 'A');
-  wrapped(message + ".");
+  wrapped(capitalised(error.message) + ".");
   ImGui::PopFont();
   if (const std::string place = placeOf(error); !place.empty()) muted(view, "Where: " + place);
   if (!error.hint.empty()) wrapped("What to do: " + error.hint + ".");

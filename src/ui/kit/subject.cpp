@@ -1,7 +1,6 @@
 #include "ui/kit/subject.h"
 
-#include <string>
-
+#include "core/base/capitalised.h"
 #include "ui/kit/widgets.h"
 
 namespace triscope {
@@ -13,9 +12,7 @@ bool drawSubject(const View& view, const char* invitation, std::string_view name
     muted(view, invitation);
     return false;
   }
-  std::string text = nameOf(*about);
-  text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  title(view, text, name);
+  title(view, capitalised(nameOf(*about)), name);
   return true;
 }
 

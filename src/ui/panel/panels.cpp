@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/base/stands_by_ids.h"
+
 namespace triscope {
 namespace {
 
@@ -18,13 +20,7 @@ constexpr auto kPanels = std::to_array<PanelInfo>({
     {Panel::compare, "Compare", Side::bottom, drawCompare, Action::compare_panel},
     {Panel::sweep, "Sweep", Side::bottom, drawSweep, Action::sweep_panel},
 });
-
-constexpr bool inOrder() {
-  for (std::size_t k = 0; k < kPanels.size(); ++k)
-    if (static_cast<std::size_t>(kPanels[k].id) != k) return false;
-  return true;
-}
-static_assert(inOrder());
+static_assert(standsByIds(kPanels));
 
 }  // namespace
 

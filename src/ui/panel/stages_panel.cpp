@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/base/capitalised.h"
 #include "core/base/number.h"
 #include "core/method/pipeline.h"
 #include "ui/kit/style.h"
@@ -95,8 +95,7 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
   ImGui::PopID();
   note(view, fmt::format("stage.{}", info.key));
   if (current) note(view, "current_stage");
-  std::string hint = fmt::format("{}.", does);
-  hint[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(hint[0])));
+  std::string hint = fmt::format("{}.", capitalised(does));
   if (!info.figure.empty()) hint += fmt::format(" {} of the paper.", info.figure);
   if (state != nullptr && state->counts[static_cast<std::size_t>(info.id)].decisions > 0)
     hint += fmt::format("\n{}", countsInWords(state->counts[static_cast<std::size_t>(info.id)]));

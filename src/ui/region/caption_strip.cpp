@@ -83,7 +83,7 @@ void drawCaption(const View& view, Orders&) {
     ImGui::Indent(view.px(20));
     ImGui::PushFont(view.fonts.strong);
     std::string title(info.name);
-    if (const std::string turn = turnText(info.id, view.round()); !turn.empty()) title += ", " + turn;
+    title += turnBehind(info.id, view.round());
     ImGui::TextUnformatted(title.c_str());
     ImGui::PopFont();
     ImGui::SameLine();

@@ -27,7 +27,7 @@ std::string standing(const Session& session) {
   if (now == nullptr) return "being made";
   const MeshState& state = now->state;
   std::string text(infoOf(state.stage).name);
-  if (const std::string turn = turnText(state.stage, state.round); !turn.empty()) text += ", " + turn;
+  text += turnBehind(state.stage, state.round);
   return text + fmt::format(", decision {}", grouped(state.tick));
 }
 

@@ -140,7 +140,7 @@ void hint(const View& view, const Strip& strip) {
   std::string text = fmt::format("Decision {}", grouped(tick));
   if (const StageEntry* const entry = entryOfDecision(record, tick)) {
     text += fmt::format(", {}", infoOf(entry->stage).name);
-    if (const std::string turn = turnText(entry->stage, entry->round); !turn.empty()) text += ", " + turn;
+    text += turnBehind(entry->stage, entry->round);
   }
   const std::optional<QualitySample> sample = measuredAt(view, tick);
   if (sample && sample->triangles > 0)
