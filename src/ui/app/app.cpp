@@ -108,7 +108,7 @@ void App::frame() {
   parts_.debugging.updateAnswers();
   drawRegions(parts_, layout, orders);
   const SnapshotPtr drawn = parts_.desk.shown;
-  carryOut(parts_, std::move(orders));
+  carryOut(parts_, orders);
   parts_.exporting.follow();
   parts_.document.keep();
   parts_.dialogs.finishFrame();

@@ -65,8 +65,7 @@ void Exporting::writeTo(const std::string& path) {
   desk_.ui.exporting = true;
   path_ = path;
   desk_.ui.message = "Writing " + path + " …";
-  ViewOptions options = desk_.ui.options;
-  options.theme = desk_.ui.look.theme;
+  ViewOptions options = desk_.ui.picture();
   options.selection = runOf(desk_).selection();
   FigureOptions figure;
   figure.width = static_cast<int>(desk_.ui.camera.width);

@@ -81,14 +81,11 @@ void carryOut(Parts& parts, const Order& order) {
   follow(parts);
 }
 
-void carryOut(Parts& parts, Orders orders) {
-  while (!orders.empty()) {
-    for (const Order& order : orders) {
-      carryOut(parts, order);
-      // What an owner orders in turn comes before what was ordered after.
-      carryOut(parts, std::exchange(parts.desk.orders, {}));
-    }
-    orders = std::exchange(parts.desk.orders, {});
+void carryOut(Parts& parts, const Orders& orders) {
+  for (const Order& order : orders) {
+    carryOut(parts, order);
+    // What an owner orders in turn comes before what was ordered after.
+    carryOut(parts, std::exchange(parts.desk.orders, {}));
   }
 }
 

@@ -7,7 +7,7 @@ namespace triscope {
 
 void carryOut(Parts& parts, const Order& order);
 /// Carries out all of them, and those that come of them.
-void carryOut(Parts& parts, Orders orders);
+void carryOut(Parts& parts, const Orders& orders);
 /// Where the action cannot be done, the message says why.
 void perform(Parts& parts, Action action);
 /// A command by hand: what was on its way to an insertion is not waited for.

@@ -7,10 +7,7 @@ namespace {
 
 /// What the session has to say: why a command failed, or what came of one that searched.
 void hear(Desk& desk) {
-  if (desk.session.failures() != desk.failuresSeen && desk.session.error()) {
-    desk.ui.error = desk.session.error();
-    openDialog(desk.ui, Dialog::error);
-  }
+  if (desk.session.failures() != desk.failuresSeen && desk.session.error()) complain(desk.ui, *desk.session.error());
   desk.failuresSeen = desk.session.failures();
   if (desk.session.notice() != desk.saidNotice) desk.ui.message = desk.saidNotice = desk.session.notice();
 }

@@ -4,6 +4,7 @@
 
 #include "render/figure.h"
 #include "ui/app/framing.h"
+#include "ui/kit/imgui_pixels.h"
 #include "ui/region/regions.h"
 
 namespace triscope {
@@ -20,8 +21,7 @@ void followStage(UiState& ui, Stage stage) {
 /// The place of the mouse in the world, where it is over one of the pictures.
 std::optional<Point> cursorOver(const Panes& panes, const Camera& camera, bool comparing) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  const ImVec2 corner = comparing && mouse.x < panes.live.at.x ? panes.pinned.at : panes.live.at;
-  const Pixel pixel{static_cast<double>(mouse.x - corner.x), static_cast<double>(mouse.y - corner.y)};
+  const Pixel pixel = mouseOn(comparing && mouse.x < panes.live.at.x ? panes.pinned.at : panes.live.at);
   const bool over = pixel.x >= 0.0 && pixel.y >= 0.0 && pixel.x < camera.width && pixel.y < camera.height;
   return over ? std::optional(toWorld(camera, pixel)) : std::nullopt;
 }
@@ -34,8 +34,7 @@ void updateLiveScene(Parts& parts) {
   const InsertionUi& insertion = desk.ui.insertion;
   const bool entered = run.inInsertion();
   const bool inside = entered && insertion.phase != InsertionPhase::filled;
-  ViewOptions options = desk.ui.options;
-  options.theme = desk.ui.look.theme;
+  ViewOptions options = desk.ui.picture();
   options.dimmed = desk.session.stale();
   options.selection = run.selection();
   options.worst = options.worst && !entered;  // their circles would be taken for the insertion's
@@ -63,9 +62,7 @@ void drawPicture(Parts& parts, const Region& region) {
   else
     parts.desk.scene.theme = themeOf(ui.look.theme);
   parts.renderer->draw(parts.desk.scene, ui.camera, ui.scale());
-  ViewOptions options = ui.options;
-  options.theme = ui.look.theme;
-  parts.comparison.draw(options);
+  parts.comparison.draw(ui.picture());
   ui.cursor = has ? cursorOver(panes, ui.camera, ui.pinned) : std::nullopt;
 }
 

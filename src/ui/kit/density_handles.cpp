@@ -8,6 +8,7 @@
 #include "core/base/number.h"
 #include "core/density/quadtree.h"
 #include "core/domain/outline.h"
+#include "ui/kit/imgui_pixels.h"
 #include "ui/kit/style.h"
 
 namespace triscope {
@@ -28,10 +29,7 @@ ImVec2 onScreen(const View& view, ImVec2 corner, Point world) {
   return {corner.x + static_cast<float>(pixel.x), corner.y + static_cast<float>(pixel.y)};
 }
 
-Point mouseInWorld(const View& view, ImVec2 corner) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return toWorld(view.ui.camera, {static_cast<double>(mouse.x - corner.x), static_cast<double>(mouse.y - corner.y)});
-}
+Point mouseInWorld(const View& view, ImVec2 corner) { return toWorld(view.ui.camera, mouseOn(corner)); }
 
 std::optional<std::size_t> handleUnderMouse(const View& view, ImVec2 corner) {
   if (!shown(view)) return std::nullopt;

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "render/stroke.h"
+#include "ui/kit/imgui_pixels.h"
 #include "ui/kit/style.h"
 
 namespace triscope {
 namespace {
-
-ImVec2 toImVec2(Pixel p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 /// Dear ImGui measures a font by its line, everything else by its em.
 float lineOverEm(const ImFont& font) {

@@ -112,6 +112,12 @@ struct UiState {
   std::uint64_t buttonsPressed = 0;  // of the mouse
   std::uint64_t buttonsReleased = 0;
   [[nodiscard]] double scale() const { return look.scale > 0.0 ? look.scale : monitorScale; }
+  /// How pictures are drawn: as the layers say, in the window's colours.
+  [[nodiscard]] ViewOptions picture() const {
+    ViewOptions all = options;
+    all.theme = look.theme;
+    return all;
+  }
 };
 
 /// The run and the window's state, and what is often asked of the two together.

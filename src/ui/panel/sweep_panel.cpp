@@ -9,6 +9,7 @@
 #include "render/heat_map.h"
 #include "render/legend_panel.h"
 #include "ui/kit/imgui_canvas.h"
+#include "ui/kit/imgui_pixels.h"
 #include "ui/kit/style.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panels.h"
@@ -252,7 +253,7 @@ void heatMap(const View& view, Orders& orders, const SweepTable& table, HeatMap&
       ImGui::InvisibleButton("map", {static_cast<float>(grid.cells.width), static_cast<float>(grid.cells.height)});
   note(view, "sweep.map");
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  if (ImGui::IsItemHovered()) map.under = cellAt(grid, {static_cast<double>(mouse.x), static_cast<double>(mouse.y)});
+  if (ImGui::IsItemHovered()) map.under = cellAt(grid, toPixels(mouse));
   ImGuiCanvas canvas(*ImGui::GetWindowDrawList(), view.fonts);
   drawHeatMap(map, grid, view.ui.options.scale, view.ui.scale(), view.theme(), canvas);
   if (outOfDate)

@@ -11,6 +11,7 @@
 #include "render/picture.h"
 #include "ui/kit/density_handles.h"
 #include "ui/kit/imgui_canvas.h"
+#include "ui/kit/imgui_pixels.h"
 #include "ui/kit/style.h"
 #include "ui/kit/widgets.h"
 #include "ui/model/pinned_run.h"
@@ -22,14 +23,6 @@ namespace {
 
 constexpr double kPickReach = 8.0;   // pixels at 100 %
 constexpr float kClickSlack = 4.0f;  // a press that moves less is a click
-
-Pixel toPixels(ImVec2 v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
-
-/// The mouse relative to the canvas, in pixels.
-Pixel mouseOn(ImVec2 corner) {
-  const ImVec2 mouse = ImGui::GetIO().MousePos;
-  return toPixels({mouse.x - corner.x, mouse.y - corner.y});
-}
 
 bool draggedFar(const View& view) {
   const float slack = view.px(static_cast<double>(kClickSlack));
