@@ -62,7 +62,7 @@ TimedRun runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Jou
   }
   if (state.failed) throw std::runtime_error("the method could not go on");
   run.total = before - start;
-  for (const std::int32_t triangle : state.mesh.vertexTriangle) run.vertices += triangle >= 0 ? 1 : 0;
+  for (const Slot triangle : state.mesh.vertexTriangle) run.vertices += triangle.exists() ? 1u : 0u;
   run.triangles = state.mesh.liveCount();
   return run;
 }

@@ -7,6 +7,7 @@
 
 #include "core/base/capitalised.h"
 #include "core/base/counted.h"
+#include "core/base/index_text.h"
 #include "core/base/json_text.h"
 #include "core/base/shown_text.h"
 #include "core/explain/caption.h"
@@ -25,8 +26,8 @@ std::string plainText(const Line& line) { return ungrouped(textOf(line)); }
 TriangleFacts factsAt(const Stop& stop, Ref ref) {
   if (ref.kind != Ref::Kind::triangle) return {};
   const Run& run = stop.run;
-  if (const auto alive = factsOf(run.state.mesh, ref.id)) return *alive;
-  return factsOf(run.history, run.state.tick, stop.events, ref.id);
+  if (const auto alive = factsOf(run.state.mesh, TriangleId(ref.id))) return *alive;
+  return factsOf(run.history, run.state.tick, stop.events, TriangleId(ref.id));
 }
 
 std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
@@ -34,7 +35,7 @@ std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
   for (const WorstMeasure& worst : worstOf(quality)) {
     std::string text = fmt::format("Worst {}: {:.4g}, which is {} the bound {:g}", worst.name, worst.value,
                                    worst.met() ? "within" : "beyond", worst.bound);
-    if (worst.slot >= 0) {
+    if (worst.slot.exists()) {
       const Point at = centroidOf(mesh, worst.slot);
       text += fmt::format(", of triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
     }
@@ -104,7 +105,7 @@ std::string worstAsJson(const Mesh& mesh, const Quality& quality) {
   for (const WorstMeasure& worst : worstOf(quality)) {
     list += fmt::format("{}\n      {{\"measure\": {}, \"value\": {}, \"bound\": {}, \"met\": {}, \"triangle\": {}}}",
                         list.empty() ? "" : ",", jsonText(worst.key), jsonNumber(worst.value), jsonNumber(worst.bound),
-                        worst.met(), worst.slot < 0 ? "null" : fmt::format("{}", idOf(mesh, worst.slot)));
+                        worst.met(), worst.slot.exists() ? fmt::format("{}", idOf(mesh, worst.slot)) : "null");
   }
   return "[" + list + "]";
 }

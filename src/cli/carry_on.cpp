@@ -23,9 +23,9 @@ constexpr int kSlice = 4096;  // decisions between two times that the progress i
 // Where many curves meet at small angles, their common point is what to look at: it is named, with their number.
 std::string hubAt(const MeshState& state, const Event& failure) {
   constexpr int kMany = 3;
-  if (failure.rule != Rule::recover_edge || failure.subject >= state.mesh.edges.size()) return "";
+  if (failure.rule != Rule::recover_edge || !state.mesh.edges.has(EdgeId(failure.subject))) return "";
   const std::vector<Curve>& curves = state.domain->curves;
-  const Curve& curve = curves[state.mesh.edges[failure.subject].curve];
+  const Curve& curve = curves[state.mesh.edges[EdgeId(failure.subject)].curve];
   const bool atStart = squaredDistance(curve.a, failure.at) < squaredDistance(curve.b, failure.at);
   const Point hub = atStart ? curve.a : curve.b;
   int ends = 0;

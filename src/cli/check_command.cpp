@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/messages.h"
+#include "core/base/index_text.h"
 #include "core/domain/read.h"
 #include "core/explain/bound_text.h"
 #include "core/io/against_domain.h"
@@ -20,7 +21,7 @@ void printCount(std::string_view key, std::size_t value) { answer("{:<18} {}\n",
 void printBounded(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
   const std::string key = fmt::format("{}_{}", worst.key, worst.key.ends_with("angle") ? "deg" : "max");
   answer("{:<18} {:<12.7g} {:<7} {:<8}", key, worst.value, limitText(worst), worst.met() ? "met" : "not met");
-  if (worst.slot >= 0) {
+  if (worst.slot.exists()) {
     const Point at = centroidOf(mesh, worst.slot);
     answer(" triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
   }

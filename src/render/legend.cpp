@@ -216,8 +216,8 @@ void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
   const bool circumcircle = measuresCircumcircle(insertion);
   switch (in.insertion->phase) {
     case InsertionPhase::candidate:
-      if (insertion.candidate >= 0) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
-      if (insertion.splits >= 0)
+      if (insertion.candidate.exists()) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
+      if (insertion.splits.exists())
         legend.push_back(lineItem(Sample::line, splitLine(theme), "boundary edge to be split"));
       if (!insertion.measured) break;
       legend.push_back(lineItem(circumcircle ? Sample::circle : Sample::line, measuredLine(theme),
@@ -226,7 +226,7 @@ void addPhase(const SceneInput& in, std::vector<LegendItem>& legend) {
       legend.push_back(lineItem(Sample::circle, limitCircle(theme), "limit", compact(insertion.measured->limit)));
       break;
     case InsertionPhase::walk:
-      if (insertion.candidate >= 0) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
+      if (insertion.candidate.exists()) legend.push_back(fillItem(faded(theme.candidate, 0.25), "candidate"));
       if (insertion.walk.empty()) break;
       legend.push_back(lineItem(Sample::line, walkLine(theme), "walk"));
       legend.push_back(fillItem(faded(theme.selection, 0.28), "triangles on the way", grouped(insertion.walk.size())));

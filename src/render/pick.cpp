@@ -13,7 +13,7 @@ namespace {
 
 using std::size_t;
 
-bool contains(const Mesh& mesh, std::int32_t slot, Point p) {
+bool contains(const Mesh& mesh, Slot slot, Point p) {
   const Triangle& t = triangleAt(mesh, slot);
   const Point a = pointOf(mesh, t.v[0]);
   const Point b = pointOf(mesh, t.v[1]);
@@ -34,46 +34,45 @@ double distanceToSegment(Point p, Point a, Point b) {
 
 bool pickVertex(const Mesh& mesh, Point p, double reach, Pick& pick) {
   double best = reach * reach;
-  std::int32_t found = -1;
-  for (size_t i = 0; i < mesh.points.size(); ++i) {
+  Vertex found;
+  for (const Vertex i : mesh.points.keys()) {
     const double d = squaredDistance(mesh.points[i], p);
-    if (d > best || (d == best && found >= 0)) continue;
-    if (mesh.kinds[i] == VertexKind::removed || mesh.vertexTriangle[i] < 0) continue;
+    if (d > best || (d == best && found.exists())) continue;
+    if (mesh.kinds[i] == VertexKind::removed || !mesh.vertexTriangle[i].exists()) continue;
     best = d;
-    found = static_cast<std::int32_t>(i);
+    found = i;
   }
-  if (found < 0) return false;
-  pick = {{Selection::Kind::vertex, found, -1}, static_cast<std::uint32_t>(found), std::sqrt(best)};
+  if (!found.exists()) return false;
+  pick = {{Selection::Kind::vertex, found.n, -1}, found.word(), std::sqrt(best)};
   return true;
 }
 
 // The nearest edge within reach: of the triangle under p, or of any where p is just outside the mesh.
-bool pickEdge(const Mesh& mesh, Point p, double reach, std::int32_t inside, Pick& pick) {
+bool pickEdge(const Mesh& mesh, Point p, double reach, Slot inside, Pick& pick) {
   double best = reach;
   Selection found;
-  const auto look = [&](std::int32_t slot) {
+  const auto look = [&](Slot slot) {
     for (int i = 0; i < 3; ++i) {
-      const std::int32_t half = 3 * slot + i;
+      const Half half = halfOf(slot, i);
       const double d = distanceToSegment(p, pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)));
       if (d < best) {
         best = d;
-        found = {Selection::Kind::edge, slot, i};
+        found = {Selection::Kind::edge, slot.n, i};
       }
     }
   };
-  if (inside >= 0) {
+  if (inside.exists()) {
     look(inside);
   } else {
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const auto slot = static_cast<std::int32_t>(i);
+    for (const Slot slot : mesh.triangles.keys()) {
       if (!mesh.alive(slot)) continue;
-      const Triangle& t = mesh.triangles[i];
-      if (t.adj[0] >= 0 && t.adj[1] >= 0 && t.adj[2] >= 0) continue;  // not at the border
+      const Triangle& t = mesh.triangles[slot];
+      if (t.adj[0].exists() && t.adj[1].exists() && t.adj[2].exists()) continue;  // not at the border
       look(slot);
     }
   }
   if (found.kind == Selection::Kind::none) return false;
-  pick = {found, idOf(mesh, found.index), best};
+  pick = {found, idOf(mesh, found.slot()).n, best};
   return true;
 }
 
@@ -88,15 +87,18 @@ bool pickCell(const Quadtree& tree, Point p, Pick& pick) {
 
 }  // namespace
 
+Pick pickOf(const Mesh& mesh, Slot slot) { return {{Selection::Kind::triangle, slot.n, -1}, idOf(mesh, slot).n, 0.0}; }
+
+Pick pickOf(Vertex vertex) { return {{Selection::Kind::vertex, vertex.n, -1}, vertex.word(), 0.0}; }
+
 bool isPartOf(const MeshState& state, const Selection& s) {
   const Mesh& mesh = state.mesh;
-  const auto index = static_cast<size_t>(s.index);  // beyond every end where it is negative
-  const bool live = index < mesh.triangles.size() && mesh.alive(s.index);
+  const bool live = mesh.triangles.has(s.slot()) && mesh.alive(s.slot());
   switch (s.kind) {
     case Selection::Kind::none:
       return false;
     case Selection::Kind::vertex:
-      return index < mesh.points.size() && mesh.kinds[index] != VertexKind::removed;
+      return mesh.points.has(s.vertex()) && mesh.kinds[s.vertex()] != VertexKind::removed;
     case Selection::Kind::edge:
       return live && s.edge >= 0 && s.edge < 3;
     case Selection::Kind::triangle:
@@ -110,22 +112,21 @@ bool isPartOf(const MeshState& state, const Selection& s) {
 Selection present(const MeshState& state, const Pick& pick) {
   Selection s = pick.selection;
   const bool triangle = s.kind == Selection::Kind::triangle || s.kind == Selection::Kind::edge;
-  if (triangle && (!isPartOf(state, s) || idOf(state.mesh, s.index) != pick.id)) s.index = slotOf(state.mesh, pick.id);
+  const TriangleId id(pick.id);
+  if (triangle && (!isPartOf(state, s) || idOf(state.mesh, s.slot()) != id)) s.index = slotOf(state.mesh, id).n;
   return isPartOf(state, s) ? s : Selection{};
 }
 
-std::int32_t triangleContaining(const Mesh& mesh, Point p) {
-  if (mesh.liveCount() == 0) return -1;
-  const std::int32_t last = mesh.lastTriangle;
-  if (last >= 0 && static_cast<size_t>(last) < mesh.triangles.size() && mesh.alive(last)) {
+Slot triangleContaining(const Mesh& mesh, Point p) {
+  if (mesh.liveCount() == 0) return {};
+  const Slot last = mesh.lastTriangle;
+  if (mesh.triangles.has(last) && mesh.alive(last)) {
     const Location place = walkTo(mesh, last, p);
-    if (place.triangle >= 0 && place.blocked < 0 && contains(mesh, place.triangle, p)) return place.triangle;
+    if (place.triangle.exists() && !place.blocked.exists() && contains(mesh, place.triangle, p)) return place.triangle;
   }
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto slot = static_cast<std::int32_t>(i);
+  for (const Slot slot : mesh.triangles.keys())
     if (mesh.alive(slot) && contains(mesh, slot, p)) return slot;
-  }
-  return -1;
+  return {};
 }
 
 Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst) {
@@ -134,9 +135,9 @@ Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst) {
   const Mesh& mesh = state.mesh;
   if (mesh.liveCount() > 0) {
     if (pickVertex(mesh, p, reach, result)) return result;
-    const std::int32_t inside = triangleContaining(mesh, p);
+    const Slot inside = triangleContaining(mesh, p);
     if (pickEdge(mesh, p, reach, inside, result)) return result;
-    if (inside >= 0) return {{Selection::Kind::triangle, inside, -1}, idOf(mesh, inside), 0.0};
+    if (inside.exists()) return pickOf(mesh, inside);
   }
   pickCell(state.tree, p, result);
   return result;

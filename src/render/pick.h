@@ -13,6 +13,10 @@ struct Pick {
   double distance = 0.0;     // world, from the point to the vertex or edge; 0 inside a triangle or cell
 };
 
+/// A triangle, or a vertex, as if it had been picked.
+Pick pickOf(const Mesh& mesh, Slot slot);
+Pick pickOf(Vertex vertex);
+
 /// Looks within `reach` (world units: 8 px / camera.scale) of p. Cells are found only where there is no triangle, or
 /// when `cellsFirst` asks for them instead of vertices, edges and triangles.
 Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst = false);
@@ -24,8 +28,8 @@ bool isPartOf(const MeshState& state, const Selection& selection);
 /// what is meant, also when its slot has been reused. Kind none when it is not part of the state.
 Selection present(const MeshState& state, const Pick& pick);
 
-/// Slot of the live triangle that contains p (an edge counts as inside), -1 outside the mesh. A walk from
+/// Slot of the live triangle that contains p (an edge counts as inside), none outside the mesh. A walk from
 /// Mesh::lastTriangle; falls back to looking at every triangle where a hole stops the walk.
-std::int32_t triangleContaining(const Mesh& mesh, Point p);
+Slot triangleContaining(const Mesh& mesh, Point p);
 
 }  // namespace triscope

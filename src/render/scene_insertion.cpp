@@ -12,7 +12,7 @@
 namespace triscope::detail {
 namespace {
 
-Point centroid(const Mesh& mesh, std::int32_t slot) {
+Point centroid(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
 }
@@ -26,11 +26,11 @@ void addPoint(const SceneInput& in, Layer& layer, bool there) {
 void addCandidate(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Insertion& insertion = *in.insertion->insertion;
-  if (insertion.candidate >= 0) {
+  if (insertion.candidate.exists()) {
     layer.triangles.push_back(patch(mesh, {insertion.candidate}, faded(in.theme.candidate, 0.25), false));
     layer.lines.push_back(outlineOf(mesh, insertion.candidate, {in.theme.candidate, 2.2f, Dash::solid, false}));
   }
-  if (insertion.splits >= 0)
+  if (insertion.splits.exists())
     layer.lines.push_back(
         polyline({pointOf(mesh, startOf(mesh, insertion.splits)), pointOf(mesh, endOf(mesh, insertion.splits))}, false,
                  splitLine(in.theme)));
@@ -49,7 +49,7 @@ void addMeasured(const SceneInput& in, Layer& layer) {
   // Above and below the outermost circle, where nothing of the insertion is in their way.
   const double reach = circumcircle ? std::max(m.length, m.limit) : m.limit;
   const auto beside = [&](Point at, float dy, const std::string& text, Color color) {
-    Label label = note(in, at, text, color);
+    Label label = labelAt(in, at, text, color);
     label.dx = 0.0f;
     label.dy = dy;
     label.anchor = Anchor::centre;
@@ -65,11 +65,11 @@ void addWalk(const SceneInput& in, Layer& layer) {
   const Insertion& insertion = *in.insertion->insertion;
   if (insertion.walk.empty()) return;
   layer.triangles.push_back(patch(mesh, insertion.walk, faded(in.theme.selection, 0.28), false));
-  for (const std::int32_t slot : insertion.walk)
+  for (const Slot slot : insertion.walk)
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.selection, 1.4f, Dash::solid, false}));
   std::vector<Point> way;
   way.reserve(insertion.walk.size() + 1);
-  for (const std::int32_t slot : insertion.walk) way.push_back(centroid(mesh, slot));
+  for (const Slot slot : insertion.walk) way.push_back(centroid(mesh, slot));
   const Point first = way.front();
   way.push_back(insertion.at);
   layer.lines.push_back(polyline(std::move(way), false, walkLine(in.theme)));
@@ -80,9 +80,9 @@ void addWalk(const SceneInput& in, Layer& layer) {
 void addCavity(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Cavity& cavity = in.insertion->insertion->cavity;
-  const std::vector<std::int32_t> slots(cavity.triangles().begin(), cavity.triangles().end());
+  const std::vector<Slot> slots(cavity.triangles().begin(), cavity.triangles().end());
   layer.triangles.push_back(patch(mesh, slots, in.theme.removed, true));
-  for (const std::int32_t slot : slots) {
+  for (const Slot slot : slots) {
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.removed, 1.4f, Dash::dotted, false}));
     const Triangle& t = triangleAt(mesh, slot);
     const Circumcircle circle = circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
@@ -92,7 +92,7 @@ void addCavity(const SceneInput& in, Layer& layer) {
   LineBatch rim;
   rim.style = rimLine(in.theme);
   for (const Cavity::RimEdge& edge : cavity.rim()) {
-    const std::int32_t half = halfEdgeOf(mesh, edge);
+    const Half half = halfEdgeOf(mesh, edge);
     const auto first = static_cast<std::uint32_t>(rim.points.size());
     rim.points.push_back(pointOf(mesh, startOf(mesh, half)));
     rim.points.push_back(pointOf(mesh, endOf(mesh, half)));
@@ -104,7 +104,7 @@ void addCavity(const SceneInput& in, Layer& layer) {
 }  // namespace
 
 bool measuresCircumcircle(const Insertion& insertion) {
-  return insertion.candidate >= 0 && insertion.event.rule != Rule::step5;
+  return insertion.candidate.exists() && insertion.event.rule != Rule::step5;
 }
 
 LineStyle splitLine(const Theme& theme) { return {theme.candidate, 2.6f, Dash::solid, false}; }

@@ -21,6 +21,10 @@ class LayerKey {
       digest_.word(static_cast<std::uint64_t>(value));
     return *this;
   }
+  template <class Kind, class Word>
+  LayerKey& operator<<(Index<Kind, Word> index) {
+    return *this << index.n;
+  }
   LayerKey& operator<<(const Point& p) { return *this << p.x << p.y; }
   [[nodiscard]] std::uint64_t value() const { return digest_.value | 1u; }  // 0 means never built
 

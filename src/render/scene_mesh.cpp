@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/density/wanted.h"
+#include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/inside_box.h"
 #include "render/scene_parts.h"
@@ -13,16 +14,14 @@ namespace {
 
 using std::size_t;
 
+/// As measure() counts them: by the exact sign.
 bool isObtuse(const Mesh& mesh, const Triangle& t) {
-  for (int i = 0; i < 3; ++i) {
-    const Point p = mesh.points[at(t.v[at(i)])];
-    if (dot(mesh.points[at(t.v[at(next3(i))])] - p, mesh.points[at(t.v[at(prev3(i))])] - p) < 0.0) return true;
-  }
-  return false;
+  const Point a = mesh.points[t.v[0]], b = mesh.points[t.v[1]], c = mesh.points[t.v[2]];
+  return dotSign(a, b, c) < 0 || dotSign(b, c, a) < 0 || dotSign(c, a, b) < 0;
 }
 
 float measureOne(const Mesh& mesh, const Triangle& t, TriangleFill fill) {
-  const TriangleQuality q = qualityOf(mesh.points[at(t.v[0])], mesh.points[at(t.v[1])], mesh.points[at(t.v[2])]);
+  const TriangleQuality q = qualityOf(mesh.points[t.v[0]], mesh.points[t.v[1]], mesh.points[t.v[2]]);
   switch (fill) {
     case TriangleFill::aspect:
       return static_cast<float>(q.aspect);
@@ -40,12 +39,12 @@ float measureOne(const Mesh& mesh, const Triangle& t, TriangleFill fill) {
   return 0.0f;
 }
 
-float areaRatio(const Mesh& mesh, std::int32_t slot) {
+float areaRatio(const Mesh& mesh, Slot slot) {
   const double area = twiceArea(mesh, slot);
   if (area <= 0.0) return 0.0f;
   double worst = 1.0;
-  for (const std::int32_t half : triangleAt(mesh, slot).adj) {
-    const double other = half < 0 ? 0.0 : twiceArea(mesh, triangleOf(half));
+  for (const Half half : triangleAt(mesh, slot).adj) {
+    const double other = !half.exists() ? 0.0 : twiceArea(mesh, triangleOf(half));
     if (other > 0.0) worst = std::max({worst, other / area, area / other});
   }
   return static_cast<float>(worst);
@@ -71,7 +70,7 @@ class Fills {
     return o.fill == TriangleFill::area_ratio || (o.brush.on && o.brush.measure == TriangleFill::area_ratio);
   }
 
-  [[nodiscard]] Color of(std::int32_t slot) const {
+  [[nodiscard]] Color of(Slot slot) const {
     const ViewOptions& o = in_.options;
     if (o.brush.on) {
       const auto low = static_cast<double>(static_cast<float>(o.brush.low));  // the least value is its own bar's end
@@ -94,9 +93,7 @@ class Fills {
 
 constexpr Index3 kHole{0, 0, 0};
 
-Index3 cornersOf(const Triangle& t) {
-  return {static_cast<std::uint32_t>(t.v[0]), static_cast<std::uint32_t>(t.v[1]), static_cast<std::uint32_t>(t.v[2])};
-}
+Index3 cornersOf(const Triangle& t) { return {t.v[0].word(), t.v[1].word(), t.v[2].word()}; }
 
 /// A triangle for each slot, and room for slots to come.
 void fillBySlot(const SceneInput& in, TriangleBatch& batch) {
@@ -106,9 +103,9 @@ void fillBySlot(const SceneInput& in, TriangleBatch& batch) {
   batch.triangles.resize(mesh.triangles.size() + mesh.triangles.size() / 64 + 64, kHole);
   if (!fills.alike()) batch.fills.resize(batch.triangles.size(), fills.plain());
   for (size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const auto here = static_cast<std::int32_t>(slot);
+    const Slot here(slot);
     if (!inside.has(here)) continue;
-    batch.triangles[slot] = cornersOf(mesh.triangles[slot]);
+    batch.triangles[slot] = cornersOf(mesh.triangles[here]);
     if (!fills.alike()) batch.fills[slot] = fills.of(here);
   }
   if (fills.alike() && fills.plain().a > 0) batch.fills.push_back(fills.plain());
@@ -122,21 +119,20 @@ void fillOnce(const SceneInput& in, TriangleBatch& inner, TriangleBatch& helper)
   inner.triangles.reserve(mesh.liveCount());
   inner.edges.reserve(mesh.liveCount() * 3 / 2 + 64);
   if (fills.alike() && fills.plain().a > 0) inner.fills.push_back(fills.plain());
-  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+  for (const Slot slot : mesh.triangles.keys()) {
     if (!mesh.alive(slot)) continue;
-    const Triangle& t = mesh.triangles[at(slot)];
+    const Triangle& t = mesh.triangles[slot];
     const bool outer = !inside.has(slot);
     if (!outer) {
       inner.triangles.push_back(cornersOf(t));
       if (!fills.alike()) inner.fills.push_back(fills.of(slot));
     }
     for (int i = 0; i < 3; ++i) {
-      if (t.adj[at(i)] > 3 * slot + i) continue;  // the other side names this edge
-      const std::int32_t a = t.v[at(next3(i))];
-      const std::int32_t b = t.v[at(prev3(i))];
-      const bool outerEdge =
-          outer && (mesh.kinds[at(a)] == VertexKind::helper || mesh.kinds[at(b)] == VertexKind::helper);
-      (outerEdge ? helper : inner).edges.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+      if (t.adj[i] > halfOf(slot, i)) continue;  // the other side names this edge
+      const Vertex a = t.v[next3(i)];
+      const Vertex b = t.v[prev3(i)];
+      const bool outerEdge = outer && (mesh.kinds[a] == VertexKind::helper || mesh.kinds[b] == VertexKind::helper);
+      (outerEdge ? helper : inner).edges.push_back({a.word(), b.word()});
     }
   }
 }
@@ -160,8 +156,8 @@ std::optional<std::vector<std::uint32_t>> differing(const TriangleBatch& batch, 
   const std::vector<std::uint8_t> moved = movedPoints(batch.points, mesh.points);
   std::vector<std::uint32_t> slots;
   for (size_t slot = 0; slot < batch.triangles.size(); ++slot) {
-    const bool there = slot < mesh.triangles.size() && inside.has(static_cast<std::int32_t>(slot));
-    const Index3 now = there ? cornersOf(mesh.triangles[slot]) : kHole;
+    const bool there = slot < mesh.triangles.size() && inside.has(Slot(slot));
+    const Index3 now = there ? cornersOf(mesh.triangles[Slot(slot)]) : kHole;
     if (now == batch.triangles[slot] && (!there || moved.empty() || !(moved[now[0]] | moved[now[1]] | moved[now[2]])))
       continue;
     if (slots.size() == kMost) return std::nullopt;
@@ -173,8 +169,8 @@ std::optional<std::vector<std::uint32_t>> differing(const TriangleBatch& batch, 
 void addNeighbours(std::vector<std::uint32_t>& slots, const Mesh& mesh) {
   for (size_t k = slots.size(); k-- > 0;) {
     if (slots[k] >= mesh.triangles.size()) continue;
-    for (const std::int32_t half : mesh.triangles[slots[k]].adj)
-      if (half >= 0) slots.push_back(static_cast<std::uint32_t>(triangleOf(half)));
+    for (const Half half : mesh.triangles[Slot(slots[k])].adj)
+      if (half.exists()) slots.push_back(triangleOf(half).word());
   }
 }
 
@@ -199,12 +195,12 @@ MeasureScale scaleOf(TriangleFill fill) {
   return {};
 }
 
-float measureSlot(const MeshState& state, std::int32_t slot, TriangleFill fill) {
+float measureSlot(const MeshState& state, Slot slot, TriangleFill fill) {
   const Mesh& mesh = state.mesh;
   const Triangle& t = triangleAt(mesh, slot);
   if (fill == TriangleFill::area_ratio) return areaRatio(mesh, slot);
   if (fill != TriangleFill::density) return measureOne(mesh, t, fill);
-  const Point sum = mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])];
+  const Point sum = mesh.points[t.v[0]] + mesh.points[t.v[1]] + mesh.points[t.v[2]];
   return static_cast<float>(wantedAt(state.tree, (1.0 / 3.0) * sum).value_or(Wanted{}).rank);
 }
 
@@ -255,9 +251,9 @@ bool patchMesh(const SceneInput& in, Layer& layer) {
   };
   for (const std::uint32_t slot : *slots) include(batch.points, batch.triangles[slot]);
   for (const std::uint32_t slot : *slots) {
-    const auto here = static_cast<std::int32_t>(slot);
+    const Slot here(slot);
     const bool there = slot < mesh.triangles.size() && inside.has(here);
-    batch.triangles[slot] = there ? cornersOf(mesh.triangles[slot]) : kHole;
+    batch.triangles[slot] = there ? cornersOf(mesh.triangles[here]) : kHole;
     include(mesh.points, batch.triangles[slot]);
     if (there && !alike) batch.fills[slot] = fills.of(here);
     if (!there && !alike) batch.fills[slot] = fills.plain();

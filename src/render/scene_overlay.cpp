@@ -17,13 +17,11 @@ namespace {
 
 using std::size_t;
 
-bool hasVertex(const Mesh& mesh, std::uint32_t vertex) { return vertex != kNoId && vertex < mesh.points.size(); }
-
 // Empty for a vertex that no triangle uses.
-Star liveStar(const Mesh& mesh, std::int32_t vertex) {
+Star liveStar(const Mesh& mesh, Vertex vertex) {
   Star star;
-  const std::int32_t slot = mesh.vertexTriangle[at(vertex)];
-  if (slot >= 0 && mesh.alive(slot)) starOf(mesh, vertex, star);
+  const Slot slot = mesh.vertexTriangle[vertex];
+  if (slot.exists() && mesh.alive(slot)) starOf(mesh, vertex, star);
   return star;
 }
 
@@ -33,14 +31,11 @@ LineBatch cellOutline(const Quadtree& tree, const Cell& cell, LineStyle style) {
   return polyline({lo, {lo.x + side, lo.y}, {lo.x + side, lo.y + side}, {lo.x, lo.y + side}}, true, style);
 }
 
-std::vector<std::int32_t> slotsCreated(const Mesh& mesh, const Event& event) {
-  std::vector<std::int32_t> slots;
+std::vector<Slot> slotsCreated(const Mesh& mesh, const Event& event) {
+  std::vector<Slot> slots;
   if (event.created == kNoId) return slots;
-  for (size_t i = 0; i < mesh.ids.size(); ++i) {
-    if (mesh.ids[i] - event.created < event.createdCount && mesh.alive(static_cast<std::int32_t>(i))) {
-      slots.push_back(static_cast<std::int32_t>(i));
-    }
-  }
+  for (const Slot slot : mesh.ids.keys())
+    if (mesh.ids[slot].n - event.created < event.createdCount && mesh.alive(slot)) slots.push_back(slot);
   return slots;
 }
 
@@ -55,17 +50,17 @@ void addCircumcircle(const SceneInput& in, Layer& layer) {
 void addInsertion(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Event& event = *in.current;
-  if (!hasVertex(mesh, event.vertex)) {
+  if (!mesh.points.has(Vertex(event.vertex))) {
     layer.marks.push_back(oneMark(event.at, Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
     return;
   }
-  const auto vertex = static_cast<std::int32_t>(event.vertex);
+  const Vertex vertex(event.vertex);
   const Star star = liveStar(mesh, vertex);
-  const std::vector<std::int32_t> rim = rimVertices(mesh, star);
+  const std::vector<Vertex> rim = rimVertices(mesh, star);
   layer.triangles.push_back(patch(mesh, slotsOf(star), in.theme.created, true));
   std::vector<Point> around;
   around.reserve(rim.size());
-  for (const std::int32_t v : rim) around.push_back(pointOf(mesh, v));
+  for (const Vertex v : rim) around.push_back(pointOf(mesh, v));
   layer.lines.push_back(polyline(std::move(around), true, {in.theme.created, 1.8f, Dash::solid, false}));
   LineBatch removed;
   removed.style = {in.theme.removed, 1.6f, Dash::dotted, false};
@@ -83,35 +78,36 @@ void addInsertion(const SceneInput& in, Layer& layer) {
 void addRefusal(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Event& event = *in.current;
-  const std::int32_t slot = slotOf(mesh, event.subject);
-  if (event.kind == EventKind::vertex_refused && slot >= 0) {
+  const Slot slot = slotOf(mesh, TriangleId(event.subject));
+  if (event.kind == EventKind::vertex_refused && slot.exists()) {
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.candidate, 2.0f, Dash::solid, false}));
   }
   addCircumcircle(in, layer);
-  if (event.kind == EventKind::vertex_kept && hasVertex(mesh, event.vertex)) {
-    const Point stays = mesh.points[event.vertex];
+  if (event.kind == EventKind::vertex_kept && mesh.points.has(Vertex(event.vertex))) {
+    const Point stays = mesh.points[Vertex(event.vertex)];
     layer.lines.push_back(polyline({stays, event.at}, false, {in.theme.refused, 1.4f, Dash::dotted, false}));
     layer.marks.push_back(oneMark(stays, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
   }
   layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
-  if (in.options.labels) layer.labels.push_back(note(in, event.at, std::string(name(event.refusal)), in.theme.refused));
+  if (in.options.labels)
+    layer.labels.push_back(labelAt(in, event.at, std::string(name(event.refusal)), in.theme.refused));
 }
 
 void addMove(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Event& event = *in.current;
-  if (!hasVertex(mesh, event.vertex)) return;
-  const Star star = liveStar(mesh, static_cast<std::int32_t>(event.vertex));
+  if (!mesh.points.has(Vertex(event.vertex))) return;
+  const Star star = liveStar(mesh, Vertex(event.vertex));
   // Flips that followed the move may have made triangles beyond the star.
-  std::vector<std::int32_t> slots = slotsOf(star);
-  for (const std::int32_t slot : slotsCreated(mesh, event)) {
+  std::vector<Slot> slots = slotsOf(star);
+  for (const Slot slot : slotsCreated(mesh, event)) {
     if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
   }
   layer.triangles.push_back(patch(mesh, slots, in.theme.created, true));
   LineBatch spokes;  // where the edges to the vertex were
   spokes.style = {in.theme.removed, 1.4f, Dash::dotted, false};
   spokes.points.push_back(event.from);
-  for (const std::int32_t v : rimVertices(mesh, star)) {
+  for (const Vertex v : rimVertices(mesh, star)) {
     spokes.segments.push_back({0, static_cast<std::uint32_t>(spokes.points.size())});
     spokes.points.push_back(pointOf(mesh, v));
   }
@@ -126,7 +122,7 @@ void addRemoval(const SceneInput& in, Layer& layer) {
   const Event& event = *in.current;
   layer.triangles.push_back(patch(mesh, slotsCreated(mesh, event), in.theme.created, true));
   // The place of a vertex outlives it.
-  const Point was = hasVertex(mesh, event.vertex) ? mesh.points[event.vertex] : event.at;
+  const Point was = mesh.points.has(Vertex(event.vertex)) ? mesh.points[Vertex(event.vertex)] : event.at;
   layer.marks.push_back(oneMark(was, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
 }
 
@@ -142,10 +138,9 @@ void addCell(const SceneInput& in, Layer& layer) {
       layer.lines.push_back(cellOutline(tree, *cell, made));
 }
 
-void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, const char* label, double value,
-              double bound) {
+void addWorst(const SceneInput& in, Layer& layer, int which, Slot slot, const char* label, double value, double bound) {
   const Mesh& mesh = in.state.mesh;
-  if (slot < 0 || at(slot) >= mesh.triangles.size() || !mesh.alive(slot)) return;
+  if (!mesh.triangles.has(slot) || !mesh.alive(slot)) return;
   const Triangle& t = triangleAt(mesh, slot);
   const Circumcircle circle = circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
   if (!std::isfinite(circle.squaredRadius)) return;
@@ -155,7 +150,7 @@ void addWorst(const SceneInput& in, Layer& layer, int which, std::int32_t slot, 
   const double radius = std::sqrt(circle.squaredRadius) * (1.05 + 0.12 * which);
   addCircle(in, layer, {circle.centre, radius, least, style});
   if (!in.options.labels) return;
-  Label text = note(in, circle.centre, std::string(label) + " " + besideBound(value, bound, 2), style.color);
+  Label text = labelAt(in, circle.centre, std::string(label) + " " + besideBound(value, bound, 2), style.color);
   text.dx = least + 3.0f;
   text.dy = -least;
   text.around = 0.75 * radius;
@@ -228,21 +223,22 @@ void buildSelection(const SceneInput& in, Layer& layer) {
     case Selection::Kind::none:
       break;
     case Selection::Kind::vertex:
-      layer.triangles.push_back(patch(mesh, slotsOf(liveStar(mesh, s.index)), faded(in.theme.selection, 0.22), false));
-      layer.marks.push_back(oneMark(pointOf(mesh, s.index), Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
+      layer.triangles.push_back(
+          patch(mesh, slotsOf(liveStar(mesh, s.vertex())), faded(in.theme.selection, 0.22), false));
+      layer.marks.push_back(oneMark(pointOf(mesh, s.vertex()), Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
       break;
     case Selection::Kind::edge: {
-      const std::int32_t half = 3 * s.index + s.edge;
+      const Half half = s.half();
       layer.lines.push_back(
           polyline({pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half))}, false, line));
       break;
     }
     case Selection::Kind::triangle:
-      layer.triangles.push_back(patch(mesh, {s.index}, faded(in.theme.selection, 0.3), false));
-      layer.lines.push_back(outlineOf(mesh, s.index, line));
+      layer.triangles.push_back(patch(mesh, {s.slot()}, faded(in.theme.selection, 0.3), false));
+      layer.lines.push_back(outlineOf(mesh, s.slot(), line));
       break;
     case Selection::Kind::cell:
-      layer.lines.push_back(cellOutline(in.state.tree, in.state.tree.cells[at(s.index)], line));
+      layer.lines.push_back(cellOutline(in.state.tree, in.state.tree.cells[static_cast<size_t>(s.index)], line));
       break;
   }
 }

@@ -37,7 +37,7 @@ bool patchMesh(const SceneInput& in, Layer& layer);
 void buildBoundary(const SceneInput& in, Layer& layer);
 void buildPoints(const SceneInput& in, Layer& layer);
 /// The vertices of a front that are still in the mesh: those that are drawn and counted.
-std::vector<std::int32_t> frontInMesh(const Mesh& mesh, const std::vector<std::int32_t>& front);
+std::vector<Vertex> frontInMesh(const Mesh& mesh, const std::vector<Vertex>& front);
 void buildFronts(const SceneInput& in, Layer& layer);
 void buildConstraints(const SceneInput& in, Layer& layer);
 void buildDecision(const SceneInput& in, Layer& layer);
@@ -76,7 +76,7 @@ struct MeasureScale {
   double bound = 0.0;
 };
 MeasureScale scaleOf(TriangleFill fill);
-float measureSlot(const MeshState& state, std::int32_t slot, TriangleFill fill);
+float measureSlot(const MeshState& state, Slot slot, TriangleFill fill);
 Color measureColor(const ViewOptions& options, const Theme& theme, double value);
 
 }  // namespace triscope::detail

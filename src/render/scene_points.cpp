@@ -13,8 +13,8 @@ namespace {
 using std::size_t;
 
 // Typical distance to the neighbours of a vertex, from the density rank where it was placed.
-float spacingOf(const MeshState& state, std::int32_t vertex) {
-  return static_cast<float>(edgeLengthOf(state.tree, std::max<int>(1, state.mesh.density[at(vertex)])));
+float spacingOf(const MeshState& state, Vertex vertex) {
+  return static_cast<float>(edgeLengthOf(state.tree, std::max<int>(1, state.mesh.density[vertex])));
 }
 
 MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {
@@ -45,8 +45,8 @@ void buildPoints(const SceneInput& in, Layer& layer) {
       add(p.kept ? kept : placed, p.at, static_cast<float>(wantedAt(state.tree, p.at).value_or(Wanted{}).length));
     }
   }
-  for (size_t i = 0; i < state.mesh.points.size(); ++i) {
-    const VertexKind kind = state.mesh.kinds[i];
+  for (const Vertex v : state.mesh.points.keys()) {
+    const VertexKind kind = state.mesh.kinds[v];
     if (kind < VertexKind::kept || kind > VertexKind::steiner) continue;
     const bool onBoundary = kind <= VertexKind::split;
     const bool wanted = onBoundary ? in.options.boundaryPoints : in.options.steiner && kind == VertexKind::steiner;
@@ -55,28 +55,27 @@ void buildPoints(const SceneInput& in, Layer& layer) {
                        : kind == VertexKind::boundary ? placed
                        : kind == VertexKind::split    ? split
                                                       : steiner;
-    add(batch, state.mesh.points[i], spacingOf(state, static_cast<std::int32_t>(i)));
+    add(batch, state.mesh.points[v], spacingOf(state, v));
   }
   for (MarkBatch* batch : {&steiner, &placed, &split, &kept}) {
     if (!batch->at.empty()) layer.marks.push_back(std::move(*batch));
   }
 }
 
-std::vector<std::int32_t> frontInMesh(const Mesh& mesh, const std::vector<std::int32_t>& front) {
-  std::vector<std::int32_t> there;
-  std::copy_if(front.begin(), front.end(), std::back_inserter(there), [&mesh](std::int32_t vertex) {
-    return vertex >= 0 && at(vertex) < mesh.points.size() && mesh.kinds[at(vertex)] != VertexKind::removed;
-  });
+std::vector<Vertex> frontInMesh(const Mesh& mesh, const std::vector<Vertex>& front) {
+  std::vector<Vertex> there;
+  std::copy_if(front.begin(), front.end(), std::back_inserter(there),
+               [&mesh](Vertex vertex) { return mesh.points.has(vertex) && mesh.kinds[vertex] != VertexKind::removed; });
   return there;
 }
 
 void buildFronts(const SceneInput& in, Layer& layer) {
   if (!in.options.fronts) return;
   const Mesh& mesh = in.state.mesh;
-  const auto add = [&](const std::vector<std::int32_t>& front, Shape shape, float size, Color color) {
+  const auto add = [&](const std::vector<Vertex>& front, Shape shape, float size, Color color) {
     MarkBatch batch = markBatch(shape, size, color, in.theme.background);
-    for (const std::int32_t vertex : frontInMesh(mesh, front)) {
-      batch.at.push_back(mesh.points[at(vertex)]);
+    for (const Vertex vertex : frontInMesh(mesh, front)) {
+      batch.at.push_back(mesh.points[vertex]);
       batch.spacing.push_back(spacingOf(in.state, vertex));
     }
     if (!batch.at.empty()) layer.marks.push_back(std::move(batch));

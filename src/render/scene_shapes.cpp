@@ -24,16 +24,16 @@ LineBatch polyline(std::vector<Point> points, bool closed, LineStyle style) {
   return batch;
 }
 
-LineBatch outlineOf(const Mesh& mesh, std::int32_t slot, LineStyle style) {
+LineBatch outlineOf(const Mesh& mesh, Slot slot, LineStyle style) {
   const Triangle& t = triangleAt(mesh, slot);
   return polyline({pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])}, true, style);
 }
 
-TriangleBatch patch(const Mesh& mesh, const std::vector<std::int32_t>& slots, Color fill, bool hatched) {
+TriangleBatch patch(const Mesh& mesh, const std::vector<Slot>& slots, Color fill, bool hatched) {
   TriangleBatch batch;
-  for (const std::int32_t slot : slots) {
+  for (const Slot slot : slots) {
     const auto first = static_cast<std::uint32_t>(batch.points.size());
-    for (const std::int32_t v : triangleAt(mesh, slot).v) batch.points.push_back(pointOf(mesh, v));
+    for (const Vertex v : triangleAt(mesh, slot).v) batch.points.push_back(pointOf(mesh, v));
     batch.triangles.push_back({first, first + 1, first + 2});
   }
   batch.fills.push_back(fill);
@@ -41,7 +41,7 @@ TriangleBatch patch(const Mesh& mesh, const std::vector<std::int32_t>& slots, Co
   return batch;
 }
 
-Label note(const SceneInput& in, Point p, std::string text, Color color) {
+Label labelAt(const SceneInput& in, Point p, std::string text, Color color) {
   Label label;
   label.at = p;
   label.dx = 9.0f;

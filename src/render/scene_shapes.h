@@ -11,11 +11,11 @@ namespace triscope::detail {
 MarkBatch oneMark(Point p, Shape shape, float size, Color fill, Color outline);
 LineBatch polyline(std::vector<Point> points, bool closed, LineStyle style);
 /// The edges of a triangle.
-LineBatch outlineOf(const Mesh& mesh, std::int32_t slot, LineStyle style);
+LineBatch outlineOf(const Mesh& mesh, Slot slot, LineStyle style);
 /// Triangles filled with one colour.
-TriangleBatch patch(const Mesh& mesh, const std::vector<std::int32_t>& slots, Color fill, bool hatched);
+TriangleBatch patch(const Mesh& mesh, const std::vector<Slot>& slots, Color fill, bool hatched);
 /// A text beside a point.
-Label note(const SceneInput& in, Point p, std::string text, Color color);
+Label labelAt(const SceneInput& in, Point p, std::string text, Color color);
 /// On a ring of background, so that it reads over any fill.
 void addCircle(const SceneInput& in, Layer& layer, const Circle& circle);
 

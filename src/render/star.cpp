@@ -3,23 +3,23 @@
 #include "core/geometry/predicates.h"
 
 namespace triscope {
-std::vector<std::int32_t> slotsOf(const Star& star) {
-  std::vector<std::int32_t> slots;
+std::vector<Slot> slotsOf(const Star& star) {
+  std::vector<Slot> slots;
   slots.reserve(star.rim.size());
-  for (const std::int32_t half : star.rim) slots.push_back(triangleOf(half));
+  for (const Half half : star.rim) slots.push_back(triangleOf(half));
   return slots;
 }
 
-std::vector<std::int32_t> rimVertices(const Mesh& mesh, const Star& star) {
-  std::vector<std::int32_t> rim;
+std::vector<Vertex> rimVertices(const Mesh& mesh, const Star& star) {
+  std::vector<Vertex> rim;
   rim.reserve(star.rim.size() + 1);
-  for (const std::int32_t half : star.rim) rim.push_back(startOf(mesh, half));
+  for (const Half half : star.rim) rim.push_back(startOf(mesh, half));
   if (!star.closed && !star.rim.empty()) rim.push_back(endOf(mesh, star.rim.back()));
   return rim;
 }
 
-std::vector<std::array<std::int32_t, 2>> edgesBefore(const Mesh& mesh, const std::vector<std::int32_t>& rim) {
-  std::vector<std::array<std::int32_t, 2>> edges;
+std::vector<std::array<Vertex, 2>> edgesBefore(const Mesh& mesh, const std::vector<Vertex>& rim) {
+  std::vector<std::array<Vertex, 2>> edges;
   if (rim.size() < 4) return edges;
   // The part of the rim from `from` to `to` closed by the edge between them; its third corner splits it in two.
   using Part = std::array<std::size_t, 2>;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/mesh/ids.h"
 #include "render/palette.h"
 
 namespace triscope {
@@ -17,6 +18,10 @@ struct Selection {
   enum class Kind : std::uint8_t { none, vertex, edge, triangle, cell } kind = Kind::none;
   std::int32_t index = -1;
   std::int32_t edge = -1;  // of the triangle `index`, when kind is edge
+
+  [[nodiscard]] Vertex vertex() const { return Vertex(index); }
+  [[nodiscard]] Slot slot() const { return Slot(index); }
+  [[nodiscard]] Half half() const { return Half(3 * index + edge); }
   friend bool operator==(const Selection&, const Selection&) = default;
 };
 

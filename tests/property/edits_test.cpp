@@ -15,6 +15,7 @@ namespace triscope {
 namespace {
 
 using support::Random;
+using support::operator""_v;
 
 TEST(RandomEdits, LeaveAValidMeshOfTheDomain) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -49,8 +50,8 @@ TEST(RandomEdits, StayDelaunayOnALattice) {
                                  origin + unit * Point{static_cast<double>(size) + 2, static_cast<double>(size) + 1});
     MoveLog log;
     for (int k = 0; k < 300; ++k) {
-      const auto vertex = static_cast<std::int32_t>(4 + random.below(mesh.points.size() - 3)) - 1;
-      const bool inner = vertex >= 4 && mesh.vertexTriangle[at(vertex)] >= 0;
+      const Vertex vertex(3 + random.below(mesh.points.size() - 3));
+      const bool inner = vertex >= 4_v && mesh.vertexTriangle[vertex].exists();
       const std::size_t which = random.below(4);
       if (which < 2) {
         support::insert(mesh, somewhere());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index_text.h"
 #include "core/mesh/move.h"
 #include "core/mesh/remove.h"
 
@@ -10,12 +11,12 @@ namespace triscope::support {
 std::string editAtRandom(MeshState& state, Random& random, EditCounts& counts) {
   Mesh& mesh = state.mesh;
   const Box& box = state.domain->bounds;
-  const auto vertex = static_cast<std::int32_t>(random.below(mesh.points.size()));
-  const bool inner = mesh.vertexTriangle[at(vertex)] >= 0 && mesh.vertexEdge[at(vertex)] < 0;
+  const Vertex vertex(random.below(mesh.points.size()));
+  const bool inner = mesh.vertexTriangle[vertex].exists() && !mesh.vertexEdge[vertex].exists();
   switch (random.below(8)) {
     case 0: {
-      const auto edge = static_cast<std::int32_t>(random.below(mesh.edges.size()));
-      if (splitBoundary(mesh, *state.domain, state.tree, edge, 0.0, state.room.placing).vertex >= 0) ++counts.split;
+      const EdgeId edge(random.below(mesh.edges.size()));
+      if (splitBoundary(mesh, *state.domain, state.tree, edge, 0.0, state.room.placing).vertex.exists()) ++counts.split;
       return fmt::format("split of boundary edge {}", edge);
     }
     case 1: {
@@ -35,7 +36,7 @@ std::string editAtRandom(MeshState& state, Random& random, EditCounts& counts) {
     }
     default: {
       const Point p{random.between(box.lo.x, box.hi.x), random.between(box.lo.y, box.hi.y)};
-      if (place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::steiner, {}, state.room.placing).vertex >= 0)
+      if (place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::steiner, {}, state.room.placing).vertex.exists())
         ++counts.inserted;
       return fmt::format("insertion at {}, {}", p.x, p.y);
     }

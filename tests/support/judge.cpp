@@ -13,6 +13,7 @@
 #include "core/mesh/edit.h"
 #include "core/mesh/validate.h"
 #include "core/quality/quality.h"
+#include "support/ids.h"
 #include "support/segment.h"
 
 namespace triscope::support {
@@ -44,8 +45,8 @@ bool touch(const Curve& l, const Curve& r) { return l.a == r.b || l.b == r.a || 
 
 void expectKeptPoints(const MeshState& state) {
   std::map<std::pair<double, double>, VertexKind> kinds;
-  for (std::size_t v = 0; v < state.mesh.points.size(); ++v) {
-    if (state.mesh.vertexTriangle[v] >= 0)
+  for (const Vertex v : state.mesh.points.keys()) {
+    if (state.mesh.vertexTriangle[v].exists())
       kinds[{state.mesh.points[v].x, state.mesh.points[v].y}] = state.mesh.kinds[v];
   }
   for (const Curve& curve : state.domain->curves) {
@@ -70,17 +71,17 @@ void expectCurvesFollowed(const MeshState& state) {
   std::size_t k = 0;
   for (std::uint32_t c = 0; c < domain.curves.size(); ++c) {
     double t = 0.0;
-    std::int32_t vertex = -1;
+    Vertex vertex;
     for (; k < edges.size() && edges[k].curve == c; ++k) {
       const BoundaryEdge& edge = edges[k];
       ASSERT_EQ(edge.t0, t) << "a gap in the edges along curve " << c;
-      if (vertex >= 0) {
+      if (vertex.exists()) {
         ASSERT_EQ(edge.v0, vertex) << "curve " << c << " at " << t;
       }
-      const std::int32_t half = findHalfEdge(mesh, edge.v0, edge.v1);
-      ASSERT_GE(half, 0) << "curve " << c << " has no edge from " << edge.t0 << " to " << edge.t1;
+      const Half half = findHalfEdge(mesh, edge.v0, edge.v1);
+      ASSERT_TRUE(half.exists()) << "curve " << c << " has no edge from " << edge.t0 << " to " << edge.t1;
       EXPECT_TRUE(constrained(mesh, half));
-      EXPECT_EQ(oppositeOf(mesh, half) >= 0, loopOf(domain, c).role == LoopRole::chain);
+      EXPECT_EQ(oppositeOf(mesh, half).exists(), loopOf(domain, c).role == LoopRole::chain);
       EXPECT_LE(distance(pointOf(mesh, edge.v0), pointAt(domain.curves[c], edge.t0)), tolerance);
       t = edge.t1;
       vertex = edge.v1;
@@ -104,7 +105,7 @@ void expectBounds(const MeshState& state) {
 
 void expectValid(const Mesh& mesh) {
   for (const Violation& violation : validate(mesh)) ADD_FAILURE() << violation.message;
-  for (std::size_t slot = 0; slot < mesh.flags.size(); ++slot) {
+  for (const Slot slot : mesh.flags.keys()) {
     ASSERT_EQ(mesh.flags[slot] & kInCavity, 0) << "a mark was left on slot " << slot;
   }
 }
@@ -129,7 +130,7 @@ void expectNoShortEdge(const MeshState& state) {
 long double areaOf(const MeshState& state) {
   Sum sum;
   const Point about = state.domain->bounds.lo;
-  for (std::size_t slot = 0; slot < state.mesh.triangles.size(); ++slot) {
+  for (const Slot slot : state.mesh.triangles.keys()) {
     if ((state.mesh.flags[slot] & kDead) != 0) continue;
     const auto& v = state.mesh.triangles[slot].v;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -82,21 +82,25 @@ Mesh boxMesh(Point lo, Point hi) {
   for (const Point corner : {lo, Point{hi.x, lo.y}, hi, Point{lo.x, hi.y}}) {
     addVertex(mesh, corner, VertexKind::kept, 1);
   }
-  addTriangle(mesh, 0, 1, 2);
-  addTriangle(mesh, 0, 2, 3);
-  link(mesh, 1, 5);
-  for (const std::int32_t half : {2, 0, 3, 4}) setConstrained(mesh, half, true);
-  for (std::int32_t side = 0; side < 4; ++side) {
-    addBoundaryEdge(mesh, {.v0 = side, .v1 = (side + 1) % 4, .curve = static_cast<std::uint32_t>(side)});
+  addTriangle(mesh, Vertex(0), Vertex(1), Vertex(2));
+  addTriangle(mesh, Vertex(0), Vertex(2), Vertex(3));
+  link(mesh, Half(1), Half(5));
+  for (const int half : {2, 0, 3, 4}) setConstrained(mesh, Half(half), true);
+  for (int side = 0; side < 4; ++side) {
+    BoundaryEdge edge;
+    edge.v0 = Vertex(side);
+    edge.v1 = Vertex((side + 1) % 4);
+    edge.curve = static_cast<std::uint32_t>(side);
+    addBoundaryEdge(mesh, edge);
   }
   return mesh;
 }
 
-std::int32_t insert(Mesh& mesh, Point p) {
+Vertex insert(Mesh& mesh, Point p) {
   const Location location = walkTo(mesh, mesh.lastTriangle, p);
-  EXPECT_EQ(location.blocked, -1);
-  for (const std::int32_t v : triangleAt(mesh, location.triangle).v) {
-    if (pointOf(mesh, v) == p) return -1;
+  EXPECT_FALSE(location.blocked.exists());
+  for (const Vertex v : triangleAt(mesh, location.triangle).v) {
+    if (pointOf(mesh, v) == p) return {};
   }
   Cavity cavity;
   findCavity(mesh, p, location.triangle, cavity);
@@ -113,10 +117,11 @@ Mesh triangulationOf(const std::vector<Point>& points) {
   return mesh;
 }
 
-std::vector<std::array<std::int32_t, 3>> trianglesOf(const Mesh& mesh) {
-  std::vector<std::array<std::int32_t, 3>> all;
-  for (const std::int32_t slot : liveSlots(mesh)) {
-    all.push_back(triangleAt(mesh, slot).v);
+std::vector<std::array<Vertex, 3>> trianglesOf(const Mesh& mesh) {
+  std::vector<std::array<Vertex, 3>> all;
+  for (const Slot slot : liveSlots(mesh)) {
+    const auto& v = triangleAt(mesh, slot).v;
+    all.push_back({v[0], v[1], v[2]});
     startFromLeast(all.back(), std::less<>());
   }
   std::ranges::sort(all);
@@ -125,7 +130,7 @@ std::vector<std::array<std::int32_t, 3>> trianglesOf(const Mesh& mesh) {
 
 std::vector<std::array<Point, 3>> trianglesByPlace(const Mesh& mesh) {
   std::vector<std::array<Point, 3>> all;
-  for (const std::int32_t slot : liveSlots(mesh)) {
+  for (const Slot slot : liveSlots(mesh)) {
     const auto& v = triangleAt(mesh, slot).v;
     all.push_back({pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2])});
     startFromLeast(all.back(), before);
@@ -135,10 +140,10 @@ std::vector<std::array<Point, 3>> trianglesByPlace(const Mesh& mesh) {
   return all;
 }
 
-std::vector<std::int32_t> liveSlots(const Mesh& mesh) {
-  std::vector<std::int32_t> live;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    if ((mesh.flags[slot] & kDead) == 0) live.push_back(static_cast<std::int32_t>(slot));
+std::vector<Slot> liveSlots(const Mesh& mesh) {
+  std::vector<Slot> live;
+  for (const Slot slot : mesh.triangles.keys()) {
+    if ((mesh.flags[slot] & kDead) == 0) live.push_back(slot);
   }
   return live;
 }
@@ -166,12 +171,11 @@ std::string difference(const Mesh& a, const Mesh& b) {
 }
 
 void expectDelaunayByBruteForce(const Mesh& mesh) {
-  for (const std::int32_t slot : liveSlots(mesh)) {
+  for (const Slot slot : liveSlots(mesh)) {
     const auto& v = triangleAt(mesh, slot).v;
-    for (std::size_t other = 0; other < mesh.points.size(); ++other) {
-      const auto vertex = static_cast<std::int32_t>(other);
-      if (mesh.vertexTriangle[other] < 0 || vertex == v[0] || vertex == v[1] || vertex == v[2]) continue;
-      ASSERT_LE(incircleSign({pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2])}, mesh.points[other]), 0)
+    for (const Vertex vertex : mesh.points.keys()) {
+      if (!mesh.vertexTriangle[vertex].exists() || vertex == v[0] || vertex == v[1] || vertex == v[2]) continue;
+      ASSERT_LE(incircleSign({pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2])}, mesh.points[vertex]), 0)
           << "vertex " << vertex << " lies inside the circle of " << v[0] << ", " << v[1] << ", " << v[2];
     }
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.h"
+#include "support/ids.h"
 #include "support/random.h"
 
 namespace triscope::support {
@@ -17,18 +18,18 @@ Mesh boxMesh(Point lo, Point hi);
 /// A mesh from lists of points and of counter-clockwise triangles, sound but for overlaps.
 Mesh meshOf(std::vector<Point> points, std::vector<std::array<int, 3>> triangles);
 
-/// Bowyer-Watson insertion from the last triangle. -1 when a vertex is there already.
-std::int32_t insert(Mesh& mesh, Point p);
+/// Bowyer-Watson insertion from the last triangle. None when a vertex is there already.
+Vertex insert(Mesh& mesh, Point p);
 
 /// The box of the points, widened by its larger side, with the points in it.
 Mesh triangulationOf(const std::vector<Point>& points);
 
 /// Live triangles as corner numbers, each from its lowest, in order.
-std::vector<std::array<std::int32_t, 3>> trianglesOf(const Mesh& mesh);
+std::vector<std::array<Vertex, 3>> trianglesOf(const Mesh& mesh);
 /// Live triangles as corner places, each from its least, in order: comparable between meshes numbered differently.
 std::vector<std::array<Point, 3>> trianglesByPlace(const Mesh& mesh);
 
-std::vector<std::int32_t> liveSlots(const Mesh& mesh);
+std::vector<Slot> liveSlots(const Mesh& mesh);
 
 /// Names the first difference between two meshes, byte for byte in every array; empty when there is none.
 std::string difference(const Mesh& a, const Mesh& b);

@@ -77,7 +77,7 @@ TEST(Session, StepsBackByDecisionInsertionAndStage) {
   EXPECT_EQ(session.current()->state.mesh.points.size(), vertices - 1);
   doNow(session, command::StepBack{Grain::stage});
   EXPECT_EQ(session.current()->state.stage, Stage::step1);
-  EXPECT_EQ(session.current()->state.counts[static_cast<std::size_t>(Stage::step1)].decisions, 0u);
+  EXPECT_EQ(session.current()->state.counts[Stage::step1].decisions, 0u);
   doNow(session, command::Restart{});
   EXPECT_EQ(session.current()->state.tick, 0u);
   EXPECT_TRUE(session.events().empty());

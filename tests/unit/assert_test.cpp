@@ -9,38 +9,42 @@
 #include "core/run/breakpoint.h"
 #include "core/run/event_log.h"
 #include "core/run/history.h"
+#include "support/ids.h"
 #include "support/runs.h"
 
 namespace triscope {
 namespace {
 
+using support::operator""_edge, support::operator""_half, support::operator""_id, support::operator""_slot,
+    support::operator""_v;
+
 Mesh oneTriangle() {
   Mesh mesh;
   for (const Point p : {Point{0, 0}, Point{1, 0}, Point{0, 1}}) addVertex(mesh, p, VertexKind::kept, 1);
-  addTriangle(mesh, 0, 1, 2);
+  addTriangle(mesh, 0_v, 1_v, 2_v);
   return mesh;
 }
 
 TEST(AssertDeathTest, ABrokenInvariantIsSaidInWords) {
   Mesh mesh = oneTriangle();
-  killTriangle(mesh, 0);
-  EXPECT_EXIT(killTriangle(mesh, 0), testing::KilledBySignal(SIGABRT),
+  killTriangle(mesh, 0_slot);
+  EXPECT_EXIT(killTriangle(mesh, 0_slot), testing::KilledBySignal(SIGABRT),
               "^edit\\.cpp:[0-9]+: a broken invariant, mesh\\.alive\\(slot\\): a triangle is removed once\n"
               "This is a defect of the program: please report it\\.\n$");
 }
 
 TEST(AssertDeathTest, EditsOfAMeshHoldTheirOwn) {
   Mesh mesh = oneTriangle();
-  EXPECT_DEATH(addTriangle(mesh, 0, 1, 1), "a triangle has three corners");
-  EXPECT_DEATH(flipEdge(mesh, 0), "an edge of the boundary is never flipped");
-  EXPECT_DEATH(addBoundaryEdge(mesh, {.v0 = 1, .v1 = 1}), "a boundary edge has two ends");
-  addBoundaryEdge(mesh, {.v0 = 0, .v1 = 1});
-  mesh.vertexEdge[1] = -1;
-  EXPECT_DEATH(splitBoundaryEdge(mesh, 0, 2, 0.5), "a boundary edge is in the lists of both its ends");
-  mesh.freeSlots.push_back(0);
+  EXPECT_DEATH(addTriangle(mesh, 0_v, 1_v, 1_v), "a triangle has three corners");
+  EXPECT_DEATH(flipEdge(mesh, 0_half), "an edge of the boundary is never flipped");
+  EXPECT_DEATH(addBoundaryEdge(mesh, support::boundaryEdge(1_v, 1_v)), "a boundary edge has two ends");
+  addBoundaryEdge(mesh, support::boundaryEdge(0_v, 1_v));
+  mesh.vertexEdge[1_v] = {};
+  EXPECT_DEATH(splitBoundaryEdge(mesh, 0_edge, 2_v, 0.5), "a boundary edge is in the lists of both its ends");
+  mesh.freeSlots.push_back(0_slot);
   EXPECT_DEATH(takeSlot(mesh), "a free slot holds no triangle");
   Cavity cavity;
-  findCavity(mesh, {0.2, 0.2}, 0, cavity);
+  findCavity(mesh, {0.2, 0.2}, 0_slot, cavity);
   cavity.rimCount = cavity.triangleCount;
   EXPECT_DEATH(fillCavity(mesh, cavity, VertexKind::steiner, 1), "a cavity has one or two edges around it more");
 }
@@ -73,7 +77,7 @@ TEST(AssertDeathTest, HeavyChecksAreMadeWhereTheyAreAskedFor) {
     MeshState state = support::after(support::domainFrom(support::kRound), Stage::front2);
     Journal nobody;
     ASSERT_TRUE(advance(state, Grain::insertion, nobody));
-    state.mesh.nextId = 0;
+    state.mesh.nextId = 0_id;
     EXPECT_DEATH(support::runPast(state, Stage::step1), "after step 1 triangle .*: its id is not below the next one");
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/edit.h"
+#include "support/ids.h"
 #include "support/judge.h"
 #include "support/meshes.h"
 #include "support/runs.h"
@@ -12,6 +13,8 @@
 
 namespace triscope {
 namespace {
+
+using support::operator""_v;
 
 // ∫ ds / h from t0 to t1, by many short steps: independent of the stage's own.
 double integral(const MeshState& state, const Curve& curve, double t0, double t1) {
@@ -121,11 +124,11 @@ TEST_P(BoundaryOf, TriangulationHasEveryPointOnceAndIsDelaunay) {
   support::runPast(state, Stage::triangulation);
   const Mesh& mesh = state.mesh;
   for (const BoundaryPoint& point : state.boundary) {
-    ASSERT_GE(point.vertex, 4);
+    ASSERT_GE(point.vertex, 4_v);
     EXPECT_EQ(pointOf(mesh, point.vertex), point.at);
-    EXPECT_EQ(mesh.kinds[at(point.vertex)], point.kept ? VertexKind::kept : VertexKind::boundary);
+    EXPECT_EQ(mesh.kinds[point.vertex], point.kept ? VertexKind::kept : VertexKind::boundary);
   }
-  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(mesh.kinds[v], VertexKind::helper);
+  for (const Vertex v : {0_v, 1_v, 2_v, 3_v}) EXPECT_EQ(mesh.kinds[v], VertexKind::helper);
   EXPECT_EQ(mesh.liveCount(), 2 * (mesh.points.size() - 4) + 2);
   if (mesh.points.size() < 150) support::expectDelaunayByBruteForce(mesh);
 }
@@ -133,17 +136,17 @@ TEST_P(BoundaryOf, TriangulationHasEveryPointOnceAndIsDelaunay) {
 TEST_P(BoundaryOf, RecoveryMakesEveryEdgePresent) {
   support::runPast(state, Stage::recovery);
   for (const BoundaryEdge& edge : state.mesh.edges) {
-    EXPECT_GE(findHalfEdge(state.mesh, edge.v0, edge.v1), 0);
-    EXPECT_GE(findHalfEdge(state.mesh, edge.v1, edge.v0), 0);
+    EXPECT_TRUE(findHalfEdge(state.mesh, edge.v0, edge.v1).exists());
+    EXPECT_TRUE(findHalfEdge(state.mesh, edge.v1, edge.v0).exists());
   }
 }
 
 TEST_P(BoundaryOf, CarveLeavesTheDomainAlone) {
   support::runPast(state, Stage::recovery);
-  const std::uint32_t nextId = state.mesh.nextId;
+  const TriangleId nextId = state.mesh.nextId;
   support::runPast(state, Stage::carve);
   EXPECT_EQ(state.mesh.nextId, nextId) << "carving makes no triangle";
-  for (std::size_t v = 0; v < 4; ++v) EXPECT_EQ(state.mesh.kinds[v], VertexKind::removed);
+  for (const Vertex v : {0_v, 1_v, 2_v, 3_v}) EXPECT_EQ(state.mesh.kinds[v], VertexKind::removed);
   support::expectValid(state.mesh);
   support::expectFollowsDomain(state);
 }
@@ -164,10 +167,10 @@ TEST(Recovery, SplitsWhatTheTriangulationLacks) {
   for (const Event& event : events) {
     if (event.kind != EventKind::edge_split) continue;
     EXPECT_EQ(event.rule, Rule::recover_edge);
-    EXPECT_EQ(state.mesh.kinds[event.vertex], VertexKind::split);
-    EXPECT_EQ(state.mesh.points[event.vertex], event.at);
+    EXPECT_EQ(state.mesh.kinds[Vertex(event.vertex)], VertexKind::split);
+    EXPECT_EQ(state.mesh.points[Vertex(event.vertex)], event.at);
   }
-  for (const BoundaryEdge& edge : state.mesh.edges) EXPECT_GE(findHalfEdge(state.mesh, edge.v0, edge.v1), 0);
+  for (const BoundaryEdge& edge : state.mesh.edges) EXPECT_TRUE(findHalfEdge(state.mesh, edge.v0, edge.v1).exists());
   support::runPast(state, Stage::carve);
   support::expectValid(state.mesh);
   support::expectFollowsDomain(state);

@@ -19,6 +19,7 @@ namespace {
 
 using support::PointSet;
 using support::Random;
+using support::operator""_edge, support::operator""_slot, support::operator""_v;
 
 // The rim runs around the point once, which sees all of it; the nearest vertex is on it.
 void expectSeesRim(const Mesh& mesh, const Cavity& cavity) {
@@ -26,8 +27,8 @@ void expectSeesRim(const Mesh& mesh, const Cavity& cavity) {
   EXPECT_TRUE(cavity.closed());
   double nearest = INFINITY;
   for (std::size_t k = 0; k < cavity.rimCount; ++k) {
-    const std::int32_t half = halfEdgeOf(mesh, cavity.rim()[k]);
-    const std::int32_t following = halfEdgeOf(mesh, cavity.rim()[(k + 1) % cavity.rimCount]);
+    const Half half = halfEdgeOf(mesh, cavity.rim()[k]);
+    const Half following = halfEdgeOf(mesh, cavity.rim()[(k + 1) % cavity.rimCount]);
     EXPECT_TRUE(std::ranges::count(cavity.triangles(), triangleOf(half)) == 1);
     EXPECT_EQ(startOf(mesh, half), cavity.rim()[k].vertex);
     EXPECT_EQ(endOf(mesh, half), startOf(mesh, following)) << "the rim does not run around the point";
@@ -38,12 +39,12 @@ void expectSeesRim(const Mesh& mesh, const Cavity& cavity) {
 }
 
 // The same by brute force: whatever can be reached through edges that are not constrained, triangle by triangle.
-std::vector<std::int32_t> reached(const Mesh& mesh, Point p, std::int32_t start) {
-  std::vector<std::int32_t> all{start};
+std::vector<Slot> reached(const Mesh& mesh, Point p, Slot start) {
+  std::vector<Slot> all{start};
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (int i = 0; i < 3; ++i) {
-      const std::int32_t half = 3 * all[k] + i, across = oppositeOf(mesh, half);
-      if (across < 0 || constrained(mesh, half) || std::ranges::count(all, triangleOf(across)) > 0) continue;
+      const Half half = halfOf(all[k], i), across = oppositeOf(mesh, half);
+      if (!across.exists() || constrained(mesh, half) || std::ranges::count(all, triangleOf(across)) > 0) continue;
       const auto& v = triangleAt(mesh, triangleOf(across)).v;
       if (incircle(pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2]), p) > 0)
         all.push_back(triangleOf(across));
@@ -54,31 +55,31 @@ std::vector<std::int32_t> reached(const Mesh& mesh, Point p, std::int32_t start)
 }
 
 void constrainSome(Mesh& mesh, Random& random, double share) {
-  for (const std::int32_t slot : support::liveSlots(mesh)) {
+  for (const Slot slot : support::liveSlots(mesh)) {
     for (int i = 0; i < 3; ++i) {
-      const std::int32_t half = 3 * slot + i;
+      const Half half = halfOf(slot, i);
       if (oppositeOf(mesh, half) < half || constrained(mesh, half) || random.between(0.0, 1.0) > share) continue;
       setConstrained(mesh, half, true);
       setConstrained(mesh, oppositeOf(mesh, half), true);
-      addBoundaryEdge(mesh, {.v0 = startOf(mesh, half), .v1 = endOf(mesh, half), .curve = 9});
+      addBoundaryEdge(mesh, support::boundaryEdge(startOf(mesh, half), endOf(mesh, half), 9));
     }
   }
 }
 
 // The new triangles have the next ids, along the rim, and the slots of those that gave way.
 void expectFilled(const Mesh& before, const Mesh& mesh, const Cavity& cavity) {
-  const std::span<const std::int32_t> fan = cavity.fan(), gone = cavity.triangles();
+  const std::span<const Slot> fan = cavity.fan(), gone = cavity.triangles();
   ASSERT_GT(fan.size(), gone.size());
   EXPECT_TRUE(std::equal(gone.begin(), gone.end(), fan.begin()));
-  EXPECT_EQ(mesh.nextId, before.nextId + fan.size());
+  EXPECT_EQ(mesh.nextId, TriangleId(before.nextId.n + fan.size()));
   EXPECT_EQ(mesh.liveCount(), before.liveCount() + fan.size() - gone.size());
   for (std::size_t k = 0; k < fan.size(); ++k) {
-    EXPECT_EQ(idOf(mesh, fan[k]), before.nextId + k);
-    EXPECT_EQ(mesh.tested[at(fan[k])], 0);
-    EXPECT_EQ(triangleAt(mesh, fan[k]).v[0], static_cast<std::int32_t>(before.points.size()));
-    const std::int32_t beyond = oppositeOf(mesh, 3 * fan[k]);
-    if (beyond >= 0) {
-      EXPECT_EQ(mesh.tested[at(triangleOf(beyond))], 0);
+    EXPECT_EQ(idOf(mesh, fan[k]), TriangleId(before.nextId.n + k));
+    EXPECT_EQ(mesh.tested[fan[k]], 0);
+    EXPECT_EQ(triangleAt(mesh, fan[k]).v[0], before.points.next());
+    const Half beyond = oppositeOf(mesh, halfOf(fan[k], 0));
+    if (beyond.exists()) {
+      EXPECT_EQ(mesh.tested[triangleOf(beyond)], 0);
     }
   }
 }
@@ -109,18 +110,18 @@ TEST_P(BowyerWatson, TheCavityIsEveryTriangleWhoseCircleHoldsThePoint) {
   for (const Point p : probes) {
     const Location location = walkTo(mesh, mesh.lastTriangle, p);
     const auto& corners = triangleAt(mesh, location.triangle).v;
-    if (std::ranges::any_of(corners, [&](std::int32_t v) { return pointOf(mesh, v) == p; })) continue;
+    if (std::ranges::any_of(corners, [&](Vertex v) { return pointOf(mesh, v) == p; })) continue;
     const Mesh before = mesh;
     Cavity cavity;
     findCavity(mesh, p, location.triangle, cavity);
     ASSERT_EQ(support::difference(mesh, before), "") << "looking changed the mesh";
     EXPECT_EQ(cavity.triangles().back(), location.triangle);
-    std::vector<std::int32_t> expected;
-    for (const std::int32_t slot : support::liveSlots(mesh)) {
+    std::vector<Slot> expected;
+    for (const Slot slot : support::liveSlots(mesh)) {
       const auto& v = triangleAt(mesh, slot).v;
       if (incircle(pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2]), p) > 0) expected.push_back(slot);
     }
-    std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+    std::vector<Slot> found(cavity.triangles().begin(), cavity.triangles().end());
     std::ranges::sort(found);
     EXPECT_EQ(found, expected);
     expectSeesRim(mesh, cavity);
@@ -134,13 +135,13 @@ TEST(Cavity, FillingGivesConsecutiveFreshIdsAndForgetsOldTests) {
   std::ranges::fill(mesh.tested, std::uint8_t{0xff});
   const Point p{0.51, 0.49};
   Cavity cavity;
-  findCavity(mesh, p, walkTo(mesh, 0, p).triangle, cavity);
+  findCavity(mesh, p, walkTo(mesh, 0_slot, p).triangle, cavity);
   const Mesh before = mesh;
-  const std::int32_t vertex = fillCavity(mesh, cavity, VertexKind::front2, 5);
+  const Vertex vertex = fillCavity(mesh, cavity, VertexKind::front2, 5);
   expectFilled(before, mesh, cavity);
   EXPECT_EQ(pointOf(mesh, vertex), p);
-  EXPECT_EQ(mesh.kinds[at(vertex)], VertexKind::front2);
-  EXPECT_EQ(mesh.density[at(vertex)], 5);
+  EXPECT_EQ(mesh.kinds[vertex], VertexKind::front2);
+  EXPECT_EQ(mesh.density[vertex], 5);
   Star star;
   starOf(mesh, vertex, star);
   EXPECT_TRUE(star.closed);
@@ -163,16 +164,16 @@ TEST(Cavity, IsWhatCanBeReachedBetweenBoundaryEdges) {
       constrainSome(mesh, random, share);
       for (const Point p : support::randomPoints(random, 60, box.lo, box.hi)) {
         const Location location = walkTo(mesh, mesh.lastTriangle, p);
-        if (location.blocked >= 0) continue;
+        if (location.blocked.exists()) continue;
         const Mesh before = mesh;
         findCavity(mesh, p, location.triangle, cavity);
         ASSERT_EQ(support::difference(mesh, before), "") << "looking changed the mesh";
-        std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+        std::vector<Slot> found(cavity.triangles().begin(), cavity.triangles().end());
         std::ranges::sort(found);
         ASSERT_EQ(found, reached(mesh, p, location.triangle));
         // On a boundary edge, or where a vertex is already, nothing can be filled.
         const auto seesEdge = [&](const Cavity::RimEdge& edge) {
-          const std::int32_t half = halfEdgeOf(mesh, edge);
+          const Half half = halfEdgeOf(mesh, edge);
           return orient2d(pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)), p) > 0;
         };
         if (!std::ranges::all_of(cavity.rim(), seesEdge)) continue;
@@ -200,9 +201,9 @@ TEST(Cavity, MayHaveVeryManyTriangles) {
   Cavity cavity;
   for (const Point p : {Point{0.001, -0.002}, Point{0.25, 0.25}}) {
     const Mesh before = mesh;
-    const std::int32_t start = walkTo(mesh, mesh.lastTriangle, p).triangle;
+    const Slot start = walkTo(mesh, mesh.lastTriangle, p).triangle;
     findCavity(mesh, p, start, cavity);
-    std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+    std::vector<Slot> found(cavity.triangles().begin(), cavity.triangles().end());
     std::ranges::sort(found);
     EXPECT_EQ(found, reached(mesh, p, start));
     expectSeesRim(mesh, cavity);
@@ -222,19 +223,19 @@ TEST(Cavity, DoesNotReachThroughABoundaryEdge) {
     for (int j = 0; j < 5; ++j) points.push_back({static_cast<double>(i), static_cast<double>(j)});
   }
   Mesh mesh = support::triangulationOf(points);
-  for (std::int32_t j = 0; j < 4; ++j) {
-    const std::int32_t a = 4 + 2 * 5 + j;
-    const std::int32_t half = findHalfEdge(mesh, a, a + 1);
-    ASSERT_GE(half, 0);
+  for (int j = 0; j < 4; ++j) {
+    const Vertex a(4 + 2 * 5 + j), b(a.n + 1);
+    const Half half = findHalfEdge(mesh, a, b);
+    ASSERT_TRUE(half.exists());
     setConstrained(mesh, half, true);
     setConstrained(mesh, oppositeOf(mesh, half), true);
-    addBoundaryEdge(mesh, {.v0 = a, .v1 = a + 1, .curve = 4});
+    addBoundaryEdge(mesh, support::boundaryEdge(a, b, 4));
   }
   const Point p{1.999, 1.5};
   Cavity cavity;
-  findCavity(mesh, p, triangleOf(findHalfEdge(mesh, 15, 16)), cavity);
-  for (const std::int32_t slot : cavity.triangles()) {
-    for (const std::int32_t v : triangleAt(mesh, slot).v) EXPECT_LE(pointOf(mesh, v).x, 2.0);
+  findCavity(mesh, p, triangleOf(findHalfEdge(mesh, 15_v, 16_v)), cavity);
+  for (const Slot slot : cavity.triangles()) {
+    for (const Vertex v : triangleAt(mesh, slot).v) EXPECT_LE(pointOf(mesh, v).x, 2.0);
   }
   fillCavity(mesh, cavity, VertexKind::steiner, 1);
   support::expectValid(mesh);
@@ -244,27 +245,26 @@ TEST(SplitCavity, SplitsInnerAndOuterBoundaryEdges) {
   Random random{5};
   Mesh mesh = support::triangulationOf(support::randomPoints(random, 30, {0, 0}, {1, 1}));
   // Make an edge between two inner vertices a boundary edge of its own.
-  for (const std::int32_t slot : support::liveSlots(mesh)) {
+  for (const Slot slot : support::liveSlots(mesh)) {
     const auto& v = triangleAt(mesh, slot).v;
-    if (std::ranges::min(v) < 4) continue;
-    const std::int32_t half = 3 * slot;
+    if (std::ranges::min(v) < 4_v) continue;
+    const Half half = halfOf(slot, 0);
     setConstrained(mesh, half, true);
     setConstrained(mesh, oppositeOf(mesh, half), true);
-    addBoundaryEdge(mesh, {.v0 = startOf(mesh, half), .v1 = endOf(mesh, half), .curve = 4});
+    addBoundaryEdge(mesh, support::boundaryEdge(startOf(mesh, half), endOf(mesh, half), 4));
     break;
   }
   ASSERT_EQ(mesh.edges.size(), 5u);
   for (int times = 0; times < 4; ++times) {
-    const auto edges = static_cast<std::int32_t>(mesh.edges.size());
-    for (std::int32_t e = 0; e < edges; ++e) {
-      const BoundaryEdge old = mesh.edges[at(e)];
+    for (const EdgeId e : mesh.edges.keys()) {  // without those that come of it
+      const BoundaryEdge old = mesh.edges[e];
       const Point middle = midpoint(pointOf(mesh, old.v0), pointOf(mesh, old.v1));
       const double t = 0.5 * (old.t0 + old.t1);
       Cavity cavity;
       ASSERT_TRUE(findSplitCavity(mesh, middle, findHalfEdge(mesh, old.v0, old.v1), cavity));
-      const std::int32_t vertex = fillSplitCavity(mesh, cavity, e, t, 1);
-      EXPECT_EQ(mesh.kinds[at(vertex)], VertexKind::split);
-      const BoundaryEdge& first = mesh.edges[at(e)];
+      const Vertex vertex = fillSplitCavity(mesh, cavity, e, t, 1);
+      EXPECT_EQ(mesh.kinds[vertex], VertexKind::split);
+      const BoundaryEdge& first = mesh.edges[e];
       const BoundaryEdge& second = mesh.edges.back();
       EXPECT_EQ(first.v0, old.v0);
       EXPECT_EQ(first.v1, vertex);
@@ -285,7 +285,7 @@ TEST(SplitCavity, RefusesAPointThatDoesNotSeeTheRim) {
   const Mesh before = mesh;
   Cavity cavity;
   // Above the vertex over the side it splits.
-  EXPECT_FALSE(findSplitCavity(mesh, {2, 0.75}, findHalfEdge(mesh, 0, 1), cavity));
+  EXPECT_FALSE(findSplitCavity(mesh, {2, 0.75}, findHalfEdge(mesh, 0_v, 1_v), cavity));
   EXPECT_TRUE(cavity.triangles().empty());
   EXPECT_TRUE(cavity.rim().empty());
   EXPECT_EQ(support::difference(mesh, before), "");
@@ -301,25 +301,25 @@ TEST(SplitCavity, LeavesASoundMeshHoweverFarOffTheChord) {
     Mesh mesh = support::triangulationOf(support::randomPoints(random, 60, {0, 0}, {1, 1}));
     constrainSome(mesh, random, 0.1);
     const double most = 0.4 * static_cast<double>(seed % 4);  // of the edge
-    for (std::size_t e = 4; e < std::min<std::size_t>(mesh.edges.size(), 60); ++e) {
+    for (EdgeId e(4); e < std::min(mesh.edges.next(), 60_edge); ++e) {
       const BoundaryEdge edge = mesh.edges[e];
       const Point a = pointOf(mesh, edge.v0), b = pointOf(mesh, edge.v1);
       const Point p = midpoint(a, b) + random.between(-most, most) * perpendicular(b - a);
       const Mesh before = mesh;
-      const std::int32_t side = findHalfEdge(mesh, edge.v0, edge.v1);
+      const Half side = findHalfEdge(mesh, edge.v0, edge.v1);
       if (!findSplitCavity(mesh, p, side, cavity)) {
         EXPECT_EQ(support::difference(mesh, before), "");
         ++refused;
         continue;
       }
       ++split;
-      std::vector<std::int32_t> found(cavity.triangles().begin(), cavity.triangles().end());
+      std::vector<Slot> found(cavity.triangles().begin(), cavity.triangles().end());
       std::ranges::sort(found);
       ASSERT_EQ(std::ranges::adjacent_find(found), found.end()) << "seed " << seed << ", edge " << e;
-      fillSplitCavity(mesh, cavity, static_cast<std::int32_t>(e), 0.5 * (edge.t0 + edge.t1), 1);
+      fillSplitCavity(mesh, cavity, e, 0.5 * (edge.t0 + edge.t1), 1);
       expectFilled(before, mesh, cavity);
       Star star;
-      starOf(mesh, static_cast<std::int32_t>(mesh.points.size()) - 1, star);
+      starOf(mesh, Vertex(mesh.points.size() - 1), star);
       std::vector<Flip> flips;
       restoreDelaunay(mesh, star.rim, flips, mostFlips(mesh));
       // Far off the chord the mesh is no longer Delaunay all over, and may leave its place; but it is a mesh.

@@ -126,7 +126,7 @@ TEST(Breakpoint, ABrokenRuleIsFound) {
   MeshState state = start("l_shape");
   Journal journal;
   advanceUntil(state, Stage::step5, ~std::uint64_t{0}, journal);
-  const auto spoilt = static_cast<std::size_t>(state.front1.at(3));
+  const Vertex spoilt = state.front1.at(3);
   state.mesh.points[spoilt] = state.mesh.points[spoilt] + Point{0.5, 0.5};
   std::vector<Hit> passed;
   EXPECT_TRUE(continueForward(state, violationBreakpoints(), passed).has_value());

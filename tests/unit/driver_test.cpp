@@ -144,7 +144,7 @@ TEST(Driver, HitsForwardsAreTheHitsBackwardsReversed) {
     const Hit hit = *trip.driver.stopped;
     EXPECT_EQ(hit.tick, trip.state().tick);
     forwards.push_back(hit.number);
-    EXPECT_EQ(trip.log[static_cast<std::size_t>(hit.number)].vertex, hit.event.vertex);
+    EXPECT_EQ(trip.log[hit.number].vertex, hit.event.vertex);
   }
   ASSERT_GT(forwards.size(), 3u);
   EXPECT_EQ(trip.driver.run.hits.size(), forwards.size());

@@ -14,9 +14,10 @@ namespace triscope {
 namespace {
 
 using support::Random;
+using support::operator""_half, support::operator""_v;
 
 // Both ends see the edge from strictly within the other diagonal.
-bool convex(const Mesh& mesh, std::int32_t half) {
+bool convex(const Mesh& mesh, Half half) {
   const Point a = pointOf(mesh, startOf(mesh, half)), b = pointOf(mesh, endOf(mesh, half));
   const Point c = pointOf(mesh, apexOf(mesh, half)), d = pointOf(mesh, apexOf(mesh, oppositeOf(mesh, half)));
   return orient2d(d, b, c) > 0 && orient2d(c, a, d) > 0;
@@ -29,8 +30,8 @@ Mesh randomMesh(std::uint64_t seed) {
 
 void flipAtRandom(Mesh& mesh, Random& random, int times) {
   while (times > 0) {
-    const auto half = static_cast<std::int32_t>(random.below(3 * mesh.triangles.size()));
-    if (oppositeOf(mesh, half) < 0 || constrained(mesh, half) || !convex(mesh, half)) continue;
+    const Half half(random.below(3 * mesh.triangles.size()));
+    if (!oppositeOf(mesh, half).exists() || constrained(mesh, half) || !convex(mesh, half)) continue;
     flipEdge(mesh, half);
     --times;
   }
@@ -46,22 +47,22 @@ void expectSoundButForDelaunay(const Mesh& mesh) {
 TEST(Flip, GivesTheOtherDiagonalWithFreshIdsInTheSameSlots) {
   Mesh mesh = randomMesh(1);
   std::ranges::fill(mesh.tested, std::uint8_t{0xff});
-  std::int32_t half = 0;
-  while (oppositeOf(mesh, half) < 0 || constrained(mesh, half) || !convex(mesh, half)) ++half;
-  const std::int32_t left = triangleOf(half), right = triangleOf(oppositeOf(mesh, half));
-  const std::int32_t c = apexOf(mesh, half), d = apexOf(mesh, oppositeOf(mesh, half));
-  const std::uint32_t nextId = mesh.nextId;
-  const std::int32_t diagonal = flipEdge(mesh, half);
+  Half half(0);
+  while (!oppositeOf(mesh, half).exists() || constrained(mesh, half) || !convex(mesh, half)) ++half;
+  const Slot left = triangleOf(half), right = triangleOf(oppositeOf(mesh, half));
+  const Vertex c = apexOf(mesh, half), d = apexOf(mesh, oppositeOf(mesh, half));
+  const TriangleId nextId = mesh.nextId;
+  const Half diagonal = flipEdge(mesh, half);
   EXPECT_EQ(std::minmax(startOf(mesh, diagonal), endOf(mesh, diagonal)), std::minmax(c, d));
   EXPECT_EQ(std::minmax(triangleOf(diagonal), triangleOf(oppositeOf(mesh, diagonal))), std::minmax(left, right));
-  EXPECT_EQ(mesh.nextId, nextId + 2);
+  EXPECT_EQ(mesh.nextId, TriangleId(nextId.n + 2));
   EXPECT_EQ(idOf(mesh, left), nextId);
-  EXPECT_EQ(idOf(mesh, right), nextId + 1);
-  for (const std::int32_t slot : {left, right}) {
-    EXPECT_EQ(mesh.tested[at(slot)], 0);
-    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-      if (across >= 0) {
-        EXPECT_EQ(mesh.tested[at(triangleOf(across))], 0) << "a neighbour keeps old tests";
+  EXPECT_EQ(idOf(mesh, right), TriangleId(nextId.n + 1));
+  for (const Slot slot : {left, right}) {
+    EXPECT_EQ(mesh.tested[slot], 0);
+    for (const Half across : triangleAt(mesh, slot).adj) {
+      if (across.exists()) {
+        EXPECT_EQ(mesh.tested[triangleOf(across)], 0) << "a neighbour keeps old tests";
       }
     }
   }
@@ -71,8 +72,8 @@ TEST(Flip, GivesTheOtherDiagonalWithFreshIdsInTheSameSlots) {
 TEST(Flip, TwiceIsTheSameTriangulation) {
   Mesh mesh = randomMesh(2);
   const auto before = support::trianglesOf(mesh);
-  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
-    if (oppositeOf(mesh, half) < 0 || constrained(mesh, half) || !convex(mesh, half)) continue;
+  for (const Half half : halvesOf(mesh)) {
+    if (!oppositeOf(mesh, half).exists() || constrained(mesh, half) || !convex(mesh, half)) continue;
     flipEdge(mesh, flipEdge(mesh, half));
     ASSERT_EQ(support::trianglesOf(mesh), before);
   }
@@ -82,30 +83,30 @@ TEST(Flip, TwiceIsTheSameTriangulation) {
 TEST(Flip, CarriesTheBoundaryEdgesOfItsQuadrilateral) {
   // The diagonal of a box lies between four boundary edges.
   Mesh mesh = support::boxMesh({0, 0}, {2, 1});
-  flipEdge(mesh, 1);
-  EXPECT_EQ(support::trianglesOf(mesh), (std::vector<std::array<std::int32_t, 3>>{{0, 1, 3}, {1, 2, 3}}));
+  flipEdge(mesh, 1_half);
+  EXPECT_EQ(support::trianglesOf(mesh), (std::vector<std::array<Vertex, 3>>{{0_v, 1_v, 3_v}, {1_v, 2_v, 3_v}}));
   support::expectValid(mesh);
 }
 
 TEST(FlipWanted, IsDecidedByTheLastBit) {
   for (const double y : {0.0, 0x1p-52, -0x1p-52}) {
     Mesh mesh = support::boxMesh({0, 0}, {1, 1});
-    mesh.points[3].y += y;
+    mesh.points[3_v].y += y;
     // The corner leaves the circle of the other three outward when y grows.
-    EXPECT_EQ(flipWanted(mesh, 1), y < 0.0);
-    EXPECT_EQ(flipWanted(mesh, 5), y < 0.0);
+    EXPECT_EQ(flipWanted(mesh, 1_half), y < 0.0);
+    EXPECT_EQ(flipWanted(mesh, 5_half), y < 0.0);
   }
   const Mesh mesh = support::boxMesh({0, 0}, {1, 1});
-  EXPECT_FALSE(flipWanted(mesh, 2)) << "a border has no other side";
+  EXPECT_FALSE(flipWanted(mesh, 2_half)) << "a border has no other side";
 }
 
 TEST(FlipWanted, NeverForABoundaryEdge) {
   Mesh mesh = support::boxMesh({0, 0}, {1, 1});
-  mesh.points[3].y = 0.75;
-  ASSERT_TRUE(flipWanted(mesh, 1));
-  setConstrained(mesh, 1, true);
-  setConstrained(mesh, 5, true);
-  EXPECT_FALSE(flipWanted(mesh, 1));
+  mesh.points[3_v].y = 0.75;
+  ASSERT_TRUE(flipWanted(mesh, 1_half));
+  setConstrained(mesh, 1_half, true);
+  setConstrained(mesh, 5_half, true);
+  EXPECT_FALSE(flipWanted(mesh, 1_half));
 }
 
 // The Delaunay triangulation of points in general position is unique: whatever was flipped, flips lead back to it.
@@ -117,8 +118,8 @@ TEST(RestoreDelaunay, LeadsBackToTheOneTriangulation) {
     flipAtRandom(mesh, random, 200);
     expectSoundButForDelaunay(mesh);
     ASSERT_NE(support::trianglesOf(mesh), delaunay);
-    std::vector<std::int32_t> suspects;
-    for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+    std::vector<Half> suspects;
+    for (const Half half : halvesOf(mesh)) {
       suspects.push_back(half);
     }
     std::vector<Flip> done;
@@ -138,8 +139,8 @@ TEST(RestoreDelaunay, EndsOnCocircularPoints) {
   Mesh mesh = support::triangulationOf(grid);
   Random random{4};
   flipAtRandom(mesh, random, 100);
-  std::vector<std::int32_t> suspects;
-  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+  std::vector<Half> suspects;
+  for (const Half half : halvesOf(mesh)) {
     suspects.push_back(half);
   }
   std::vector<Flip> done;
@@ -151,8 +152,8 @@ TEST(RestoreDelaunay, StopsWhereItsFlipsAreSpent) {
   Mesh mesh = randomMesh(5);
   Random random{5};
   flipAtRandom(mesh, random, 200);
-  std::vector<std::int32_t> suspects;
-  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
+  std::vector<Half> suspects;
+  for (const Half half : halvesOf(mesh)) {
     suspects.push_back(half);
   }
   std::vector<Flip> done(2);
@@ -164,15 +165,15 @@ TEST(RestoreDelaunay, StopsWhereItsFlipsAreSpent) {
 
 TEST(RestoreDelaunay, ListsEachFlip) {
   Mesh mesh = support::boxMesh({0, 0}, {1, 1});
-  mesh.points[3].y = 0.75;
-  std::vector<std::int32_t> suspects{1};
+  mesh.points[3_v].y = 0.75;
+  std::vector<Half> suspects{1_half};
   std::vector<Flip> done;
   restoreDelaunay(mesh, suspects, done, mostFlips(mesh));
   ASSERT_EQ(done.size(), 1u);
-  EXPECT_EQ(std::minmax(done[0].a, done[0].b), std::minmax(0, 2));
-  EXPECT_EQ(std::minmax(done[0].c, done[0].d), std::minmax(1, 3));
-  EXPECT_GE(findHalfEdge(mesh, 1, 3), 0);
-  EXPECT_EQ(findHalfEdge(mesh, 0, 2), -1);
+  EXPECT_EQ(std::minmax(done[0].a, done[0].b), std::minmax(0_v, 2_v));
+  EXPECT_EQ(std::minmax(done[0].c, done[0].d), std::minmax(1_v, 3_v));
+  EXPECT_TRUE(findHalfEdge(mesh, 1_v, 3_v).exists());
+  EXPECT_EQ(findHalfEdge(mesh, 0_v, 2_v), Half());
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace {
 
 double nearestVertex(const Mesh& mesh, Point p) {
   double nearest = INFINITY;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.vertexTriangle[v] >= 0) nearest = std::min(nearest, distance(mesh.points[v], p));
+  for (const Vertex v : mesh.points.keys()) {
+    if (mesh.vertexTriangle[v].exists()) nearest = std::min(nearest, distance(mesh.points[v], p));
   }
   return nearest;
 }
@@ -46,7 +46,8 @@ TEST_P(FrontsOf, EveryPointKeepsItsDistance) {
       ++placed;
       EXPECT_GE(nearestVertex(before.mesh, event.at), needed * (1 - 1e-12));
       EXPECT_FALSE(inADiametralCircle(before.mesh, event.at)) << event.at.x << ", " << event.at.y;
-      EXPECT_EQ(now.mesh.kinds[event.vertex], event.stage == Stage::front1 ? VertexKind::front1 : VertexKind::front2);
+      EXPECT_EQ(now.mesh.kinds[Vertex(event.vertex)],
+                event.stage == Stage::front1 ? VertexKind::front1 : VertexKind::front2);
       return;
     }
     switch (event.refusal) {
@@ -70,17 +71,16 @@ TEST_P(FrontsOf, EveryPointKeepsItsDistance) {
 
 TEST_P(FrontsOf, ListTheVerticesPlaced) {
   const MeshState state = support::after(support::domainFrom(GetParam()), Stage::front2);
-  for (std::size_t v = 0; v < state.mesh.points.size(); ++v) {
-    const auto vertex = static_cast<std::int32_t>(v);
-    EXPECT_EQ(state.mesh.kinds[v] == VertexKind::front1, std::ranges::count(state.front1, vertex) == 1);
-    EXPECT_EQ(state.mesh.kinds[v] == VertexKind::front2, std::ranges::count(state.front2, vertex) == 1);
+  for (const Vertex v : state.mesh.points.keys()) {
+    EXPECT_EQ(state.mesh.kinds[v] == VertexKind::front1, std::ranges::count(state.front1, v) == 1);
+    EXPECT_EQ(state.mesh.kinds[v] == VertexKind::front2, std::ranges::count(state.front2, v) == 1);
   }
   // The first front is a set of closed loops of its own vertices.
   ASSERT_FALSE(state.frontLoops.empty());
-  EXPECT_EQ(state.frontLoops.back(), -1);
-  for (const std::int32_t vertex : state.frontLoops) {
-    if (vertex >= 0) {
-      EXPECT_EQ(state.mesh.kinds[at(vertex)], VertexKind::front1);
+  EXPECT_EQ(state.frontLoops.back(), Vertex());
+  for (const Vertex vertex : state.frontLoops) {
+    if (vertex.exists()) {
+      EXPECT_EQ(state.mesh.kinds[vertex], VertexKind::front1);
     }
   }
 }

@@ -9,11 +9,12 @@ namespace triscope {
 namespace {
 
 using support::meshOf;
+using support::operator""_slot;
 
 TEST(SmallInputAngle, IsTheWholeAngleBetweenBoundaryEdges) {
   // An angle of 45 degrees at the origin, shared by two triangles of about half of it.
   const Mesh mesh = meshOf({{0, 0}, {4, 0}, {4, 2}, {3, 3}}, {{0, 1, 2}, {0, 2, 3}});
-  for (const std::int32_t slot : {0, 1}) {
+  for (const Slot slot : {0_slot, 1_slot}) {
     const auto angle = smallInputAngle(mesh, slot);
     ASSERT_TRUE(angle.has_value());
     EXPECT_EQ(angle->at, (Point{0, 0}));
@@ -27,8 +28,8 @@ TEST(SmallInputAngle, IsNoneInTheInteriorAndAtSixtyDegrees) {
   std::vector<std::array<int, 3>> triangles;
   for (int k = 0; k < 6; ++k) triangles.push_back({0, 1 + k, 1 + (k + 1) % 6});
   const Mesh hexagon = meshOf({{0, 0}, {1, 0}, {0.5, h}, {-0.5, h}, {-1, 0}, {-0.5, -h}, {0.5, -h}}, triangles);
-  for (std::int32_t slot = 0; slot < 6; ++slot) EXPECT_FALSE(smallInputAngle(hexagon, slot).has_value());
-  EXPECT_FALSE(smallInputAngle(meshOf({{0, 0}, {1, 0}, {0.5, h}}, {{0, 1, 2}}), 0).has_value());
+  for (Slot slot(0); slot < 6_slot; ++slot) EXPECT_FALSE(smallInputAngle(hexagon, slot).has_value());
+  EXPECT_FALSE(smallInputAngle(meshOf({{0, 0}, {1, 0}, {0.5, h}}, {{0, 1, 2}}), 0_slot).has_value());
 }
 
 }  // namespace

@@ -12,31 +12,32 @@
 #include "core/method/pipeline.h"
 #include "core/words/vocabulary.h"
 #include "support/domains.h"
+#include "support/ids.h"
 #include "support/runs.h"
 
 namespace triscope {
 namespace {
 
-using Ids = std::vector<std::uint32_t>;  // ascending
+using Ids = std::vector<TriangleId>;  // ascending
 
 Ids liveIds(const Mesh& mesh) {
   Ids ids;
-  for (std::size_t slot = 0; slot < mesh.ids.size(); ++slot)
-    if (mesh.alive(static_cast<std::int32_t>(slot))) ids.push_back(mesh.ids[slot]);
+  for (const Slot slot : mesh.ids.keys())
+    if (mesh.alive(slot)) ids.push_back(mesh.ids[slot]);
   std::sort(ids.begin(), ids.end());
   return ids;
 }
 
-bool holds(const Mesh& mesh, std::int32_t slot, Point p) {
+bool holds(const Mesh& mesh, Slot slot, Point p) {
   const Triangle& t = triangleAt(mesh, slot);
   for (std::size_t i = 0; i < 3; ++i)
     if (orient2d(pointOf(mesh, t.v[i]), pointOf(mesh, t.v[(i + 1) % 3]), p) < 0) return false;
   return true;
 }
 
-bool areNeighbours(const Mesh& mesh, std::int32_t a, std::int32_t b) {
+bool areNeighbours(const Mesh& mesh, Slot a, Slot b) {
   const auto& adj = triangleAt(mesh, a).adj;
-  return std::any_of(adj.begin(), adj.end(), [b](std::int32_t half) { return half >= 0 && triangleOf(half) == b; });
+  return std::any_of(adj.begin(), adj.end(), [b](Half half) { return half.exists() && triangleOf(half) == b; });
 }
 
 /// Ids of the triangles that the decision between two states took away.
@@ -52,10 +53,10 @@ void expectAgreement(const MeshState& before, const MeshState& after, const Even
   const std::optional<Insertion> found = takeApart(before, event);
   ASSERT_TRUE(found);
   const Mesh& mesh = before.mesh;
-  EXPECT_EQ(found->at, pointOf(after.mesh, static_cast<std::int32_t>(event.vertex)));
+  EXPECT_EQ(found->at, pointOf(after.mesh, Vertex(event.vertex)));
   // The cavity is what the insertion took away; a split may have flipped more.
   Ids cavity;
-  for (const std::int32_t slot : found->cavity.triangles()) cavity.push_back(idOf(mesh, slot));
+  for (const Slot slot : found->cavity.triangles()) cavity.push_back(idOf(mesh, slot));
   std::sort(cavity.begin(), cavity.end());
   const Ids gone = goneBetween(before, after);
   EXPECT_EQ(cavity.size(), event.removedCount);
@@ -64,7 +65,7 @@ void expectAgreement(const MeshState& before, const MeshState& after, const Even
     EXPECT_EQ(cavity, gone);
   }
   // The walk goes from triangle to neighbour and ends in the cavity, where the point is.
-  if (found->splits < 0) {
+  if (!found->splits.exists()) {
     ASSERT_FALSE(found->walk.empty());
     for (std::size_t k = 1; k < found->walk.size(); ++k)
       EXPECT_TRUE(areNeighbours(mesh, found->walk[k - 1], found->walk[k]));
@@ -73,7 +74,7 @@ void expectAgreement(const MeshState& before, const MeshState& after, const Even
   }
   if (event.rule >= Rule::step1 && event.rule <= Rule::step5) {
     ASSERT_TRUE(found->measured);
-    EXPECT_EQ(idOf(mesh, found->candidate), event.subject);
+    EXPECT_EQ(idOf(mesh, found->candidate), TriangleId(event.subject));
     EXPECT_NEAR(distance(found->measured->from, found->measured->to), event.measured, 1e-9 * event.measured);
     EXPECT_GE(found->measured->length, found->measured->limit * (1.0 - 1e-9));
   }

@@ -304,7 +304,7 @@ TEST(MeshFrom, AFileMakesASoundMesh) {
   EXPECT_EQ(q.triangles, 8u);
   EXPECT_EQ(q.boundaryVertices, 8u);
   EXPECT_EQ(mesh->edges.size(), 8u);
-  EXPECT_EQ(mesh->edges[5].curve, 1u);
+  EXPECT_EQ(mesh->edges[EdgeId(5)].curve, 1u);
 }
 
 TEST(MeshFrom, BordersNeedNotBeListed) {

@@ -8,6 +8,7 @@
 
 #include "core/explain/why.h"
 #include "support/domains.h"
+#include "support/ids.h"
 #include "support/recorded.h"
 #include "support/runs.h"
 
@@ -21,19 +22,19 @@ TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
   MeshState state = support::start(domain);
   std::vector<Event> events;
   Journal journal{&events};
-  std::map<std::uint32_t, std::size_t> death;
-  std::set<std::uint32_t> alive;
+  std::map<TriangleId, std::size_t> death;
+  std::set<TriangleId> alive;
   while (advance(state, Grain::decision, journal)) {
-    std::set<std::uint32_t> now;
-    for (std::size_t s = 0; s < state.mesh.ids.size(); ++s)
-      if (state.mesh.alive(static_cast<std::int32_t>(s))) now.insert(state.mesh.ids[s]);
-    for (const std::uint32_t id : alive)
+    std::set<TriangleId> now;
+    for (const Slot s : state.mesh.ids.keys())
+      if (state.mesh.alive(s)) now.insert(state.mesh.ids[s]);
+    for (const TriangleId id : alive)
       if (now.count(id) == 0) death[id] = events.size() - 1;
     alive = std::move(now);
   }
   ASSERT_GT(death.size(), 100u);
   std::uint32_t checked = 0;
-  for (std::uint32_t id = 0; id < state.mesh.nextId; id += 13, ++checked) {
+  for (TriangleId id(0); id < state.mesh.nextId; id.n += 13, ++checked) {
     const TriangleFacts facts = factsOf(tiny.history, tiny.end.tick, tiny.events, id);
     const auto found = death.find(id);
     if (found == death.end() && alive.count(id) == 0) continue;  // made and ended by one decision

@@ -45,7 +45,7 @@ TEST(Limits, HubsAreMeshedAtOnce) {
       ASSERT_FALSE(state.failed);
       support::expectValid(state.mesh);
       support::expectFollowsDomain(state);
-      const auto count = [&](Stage stage) { return state.counts[static_cast<std::size_t>(stage)]; };
+      const auto count = [&](Stage stage) { return state.counts[stage]; };
       EXPECT_LT(count(Stage::recovery).inserted, mostSplits(state) / 4);
       EXPECT_LT(state.mesh.points.size(), mostVertices(state) / 4);
       EXPECT_LT(count(Stage::repair).decisions, mostRepairs(state));
@@ -136,7 +136,7 @@ TEST(Limits, StepsLeaveTheRestUndone) {
 TEST(Limits, RepairLeavesTheRestAsItIs) {
   std::vector<Event> events;
   MeshState state = before(support::kNotched, Stage::repair, &events);
-  StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::repair)];
+  StageCounts& counts = state.counts[Stage::repair];
   counts.decisions = mostRepairs(state);
   const auto triangles = support::trianglesOf(state.mesh);
   Journal journal{&events};

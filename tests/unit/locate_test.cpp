@@ -13,8 +13,9 @@ namespace {
 
 using support::PointSet;
 using support::Random;
+using support::operator""_slot, support::operator""_v;
 
-bool holds(const Mesh& mesh, std::int32_t slot, Point p) {
+bool holds(const Mesh& mesh, Slot slot, Point p) {
   const auto& v = triangleAt(mesh, slot).v;
   for (std::size_t i = 0; i < 3; ++i) {
     if (orient2d(pointOf(mesh, v[i]), pointOf(mesh, v[(i + 1) % 3]), p) < 0) return false;
@@ -22,14 +23,14 @@ bool holds(const Mesh& mesh, std::int32_t slot, Point p) {
   return true;
 }
 
-Point centroid(const Mesh& mesh, std::int32_t slot) {
+Point centroid(const Mesh& mesh, Slot slot) {
   const auto& v = triangleAt(mesh, slot).v;
   return (1.0 / 3.0) * (pointOf(mesh, v[0]) + pointOf(mesh, v[1]) + pointOf(mesh, v[2]));
 }
 
 std::vector<Point> probesOf(const Mesh& mesh, Random& random) {
-  std::vector<Point> probes = support::randomPoints(random, 20, mesh.points[0], mesh.points[2]);
-  for (const std::int32_t slot : support::liveSlots(mesh)) {
+  std::vector<Point> probes = support::randomPoints(random, 20, mesh.points[0_v], mesh.points[2_v]);
+  for (const Slot slot : support::liveSlots(mesh)) {
     if (random.below(4) != 0) continue;
     const auto& v = triangleAt(mesh, slot).v;
     probes.push_back(pointOf(mesh, v[0]));
@@ -46,10 +47,10 @@ INSTANTIATE_TEST_SUITE_P(Points, Walk, testing::ValuesIn(support::difficultPoint
 TEST_P(Walk, EndsInATriangleThatHoldsThePointFromAnywhere) {
   const Mesh mesh = support::triangulationOf(GetParam().points);
   Random random{9};
-  const std::vector<std::int32_t> live = support::liveSlots(mesh);
+  const std::vector<Slot> live = support::liveSlots(mesh);
   for (const Point p : probesOf(mesh, random)) {
     const Location location = walkTo(mesh, live[random.below(live.size())], p);
-    EXPECT_EQ(location.blocked, -1);
+    EXPECT_EQ(location.blocked, Half());
     EXPECT_TRUE(holds(mesh, location.triangle, p)) << p.x << ", " << p.y;
   }
 }
@@ -57,12 +58,12 @@ TEST_P(Walk, EndsInATriangleThatHoldsThePointFromAnywhere) {
 TEST_P(Walk, StraightEndsInATriangleThatHoldsThePoint) {
   const Mesh mesh = support::triangulationOf(GetParam().points);
   Random random{10};
-  const std::vector<std::int32_t> live = support::liveSlots(mesh);
+  const std::vector<Slot> live = support::liveSlots(mesh);
   for (const Point p : probesOf(mesh, random)) {
-    const std::int32_t from = live[random.below(live.size())];
+    const Slot from = live[random.below(live.size())];
     if (!holds(mesh, from, centroid(mesh, from))) continue;  // the centroid of a sliver may be rounded out of it
     const Location location = walkStraight(mesh, from, centroid(mesh, from), p);
-    EXPECT_EQ(location.blocked, -1);
+    EXPECT_EQ(location.blocked, Half());
     EXPECT_TRUE(holds(mesh, location.triangle, p)) << p.x << ", " << p.y;
   }
 }
@@ -72,8 +73,8 @@ TEST(WalkOut, IsBlockedByTheSideInBetween) {
   const Mesh mesh = support::triangulationOf(support::randomPoints(random, 40, {0, 0}, {1, 1}));
   for (const Point p : {Point{9, 0.5}, Point{-9, 0.5}, Point{0.5, 9}, Point{0.5, -9}}) {
     for (const Location location :
-         {walkTo(mesh, 0, p), walkStraight(mesh, mesh.lastTriangle, centroid(mesh, mesh.lastTriangle), p)}) {
-      ASSERT_GE(location.blocked, 0);
+         {walkTo(mesh, 0_slot, p), walkStraight(mesh, mesh.lastTriangle, centroid(mesh, mesh.lastTriangle), p)}) {
+      ASSERT_TRUE(location.blocked.exists());
       EXPECT_EQ(triangleOf(location.blocked), location.triangle);
       EXPECT_TRUE(constrained(mesh, location.blocked));
       EXPECT_LT(
@@ -87,32 +88,32 @@ TEST(WalkOut, IsBlockedByTheSideInBetween) {
 TEST(WalkInADomain, StraightStopsAtTheFirstBoundaryEdgeOnTheWay) {
   const MeshState state = support::after(support::domainFrom(support::kCrackedFrame), Stage::step1);
   const Mesh& mesh = state.mesh;
-  const std::vector<std::int32_t> live = support::liveSlots(mesh);
+  const std::vector<Slot> live = support::liveSlots(mesh);
   Random random{12};
   int blocked = 0;
   for (int k = 0; k < 2000; ++k) {
-    const std::int32_t start = live[random.below(live.size())];
+    const Slot start = live[random.below(live.size())];
     const Point from = centroid(mesh, start);
     const Point p{random.between(-0.5, 8.5), random.between(-0.5, 8.5)};
-    std::int32_t first = -1;
+    EdgeId first;
     double least = 2.0;
-    for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    for (const EdgeId e : mesh.edges.keys()) {
       const Point a = pointOf(mesh, mesh.edges[e].v0), b = pointOf(mesh, mesh.edges[e].v1);
       if (orient2d(from, p, a) * orient2d(from, p, b) >= 0 || orient2d(a, b, from) * orient2d(a, b, p) >= 0) continue;
       const double along = cross(a - from, b - a) / cross(p - from, b - a);
       if (along < least) {
         least = along;
-        first = static_cast<std::int32_t>(e);
+        first = e;
       }
     }
     const Location location = walkStraight(mesh, start, from, p);
-    if (first < 0) {
-      EXPECT_EQ(location.blocked, -1);
+    if (!first.exists()) {
+      EXPECT_EQ(location.blocked, Half());
       EXPECT_TRUE(holds(mesh, location.triangle, p));
       continue;
     }
     ++blocked;
-    ASSERT_GE(location.blocked, 0);
+    ASSERT_TRUE(location.blocked.exists());
     EXPECT_EQ(findBoundaryEdge(mesh, startOf(mesh, location.blocked), endOf(mesh, location.blocked)), first);
   }
   EXPECT_GT(blocked, 100);
@@ -122,12 +123,12 @@ TEST(WalkInADomain, StraightStopsAtTheFirstBoundaryEdgeOnTheWay) {
 TEST(WalkInADomain, EndsInTheTriangleOrAtABoundaryEdgeThatHidesThePoint) {
   const MeshState state = support::after(support::domainFrom(support::kCrackedFrame), Stage::step1);
   const Mesh& mesh = state.mesh;
-  const std::vector<std::int32_t> live = support::liveSlots(mesh);
+  const std::vector<Slot> live = support::liveSlots(mesh);
   Random random{13};
   for (int k = 0; k < 2000; ++k) {
     const Point p{random.between(-0.5, 8.5), random.between(-0.5, 8.5)};
     const Location location = walkTo(mesh, live[random.below(live.size())], p);
-    if (location.blocked < 0) {
+    if (!location.blocked.exists()) {
       EXPECT_TRUE(holds(mesh, location.triangle, p));
     } else {
       EXPECT_TRUE(constrained(mesh, location.blocked));

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "support/edits.h"
+#include "support/ids.h"
 #include "support/judge.h"
 #include "support/runs.h"
 
 namespace triscope {
 namespace {
+
+using support::operator""_edge;
 
 TEST(Edits, AnySequenceLeavesAValidMesh) {
   for (const char* const json : {support::kFrame, support::kCrackedFrame, support::kRound}) {
@@ -36,26 +39,26 @@ TEST(BoundaryLists, FollowSplits) {
   MeshState state = start;
   support::Random random{5};
   for (int k = 0; k < 60; ++k) {
-    const auto e = static_cast<std::int32_t>(random.below(state.mesh.edges.size()));
+    const EdgeId e(random.below(state.mesh.edges.size()));
     const Attempt attempt = splitBoundary(state.mesh, *state.domain, state.tree, e, 0.0, state.room.placing);
-    ASSERT_GE(attempt.vertex, 0);
-    EXPECT_EQ(findBoundaryEdge(state.mesh, state.mesh.edges[at(e)].v0, attempt.vertex), e);
+    ASSERT_TRUE(attempt.vertex.exists());
+    EXPECT_EQ(findBoundaryEdge(state.mesh, state.mesh.edges[e].v0, attempt.vertex), e);
   }
   EXPECT_EQ(state.mesh.edges.size(), start.mesh.edges.size() + 60);
-  for (std::size_t e = 0; e < state.mesh.edges.size(); ++e) {
+  for (const EdgeId e : state.mesh.edges.keys()) {
     const BoundaryEdge& edge = state.mesh.edges[e];
-    EXPECT_EQ(findBoundaryEdge(state.mesh, edge.v0, edge.v1), static_cast<std::int32_t>(e));
-    EXPECT_EQ(findBoundaryEdge(state.mesh, edge.v1, edge.v0), static_cast<std::int32_t>(e));
+    EXPECT_EQ(findBoundaryEdge(state.mesh, edge.v0, edge.v1), e);
+    EXPECT_EQ(findBoundaryEdge(state.mesh, edge.v1, edge.v0), e);
   }
-  EXPECT_EQ(findBoundaryEdge(state.mesh, state.mesh.edges[0].v0, state.mesh.edges[0].v0), -1);
+  EXPECT_EQ(findBoundaryEdge(state.mesh, state.mesh.edges[0_edge].v0, state.mesh.edges[0_edge].v0), EdgeId());
   support::expectFollowsDomain(state);
 }
 
 TEST(FindHalfEdge, FindsEveryEdgeInItsDirection) {
   const MeshState state = support::after(support::domainFrom(support::kCrackedFrame), Stage::step1);
-  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * state.mesh.triangles.size()); ++half) {
+  for (const Half half : halvesOf(state.mesh)) {
     if (!state.mesh.alive(triangleOf(half))) continue;
-    const std::int32_t a = startOf(state.mesh, half), b = endOf(state.mesh, half);
+    const Vertex a = startOf(state.mesh, half), b = endOf(state.mesh, half);
     EXPECT_EQ(findHalfEdge(state.mesh, a, b), half);
     EXPECT_EQ(findHalfEdge(state.mesh, b, a), oppositeOf(state.mesh, half));
   }
@@ -63,17 +66,17 @@ TEST(FindHalfEdge, FindsEveryEdgeInItsDirection) {
 
 TEST(StarOf, GoesAroundOnce) {
   const MeshState state = support::after(support::domainFrom(support::kCrackedFrame), Stage::step1);
-  std::vector<std::size_t> degree(state.mesh.points.size(), 0);
-  for (std::size_t slot = 0; slot < state.mesh.triangles.size(); ++slot) {
-    if (!state.mesh.alive(static_cast<std::int32_t>(slot))) continue;
-    for (const std::int32_t v : state.mesh.triangles[slot].v) ++degree[at(v)];
+  Per<Vertex, std::size_t> degree(state.mesh.points.size(), 0);
+  for (const Slot slot : state.mesh.triangles.keys()) {
+    if (!state.mesh.alive(slot)) continue;
+    for (const Vertex v : state.mesh.triangles[slot].v) ++degree[v];
   }
   Star star;
-  for (std::size_t v = 0; v < degree.size(); ++v) {
-    starOf(state.mesh, static_cast<std::int32_t>(v), star);
+  for (const Vertex v : degree.keys()) {
+    starOf(state.mesh, v, star);
     ASSERT_EQ(star.rim.size(), degree[v]);
     for (std::size_t k = 0; k < star.rim.size(); ++k) {
-      EXPECT_EQ(apexOf(state.mesh, star.rim[k]), static_cast<std::int32_t>(v));
+      EXPECT_EQ(apexOf(state.mesh, star.rim[k]), v);
       if (k + 1 < star.rim.size() || star.closed) {
         EXPECT_EQ(endOf(state.mesh, star.rim[k]), startOf(state.mesh, star.rim[(k + 1) % star.rim.size()]));
       }

@@ -13,6 +13,7 @@
 namespace triscope {
 namespace {
 
+using support::operator""_v;
 using support::Random;
 
 Mesh randomMesh(std::uint64_t seed) {
@@ -22,10 +23,10 @@ Mesh randomMesh(std::uint64_t seed) {
   return mesh;
 }
 
-bool insideStar(const Mesh& mesh, std::int32_t vertex, Point to) {
+bool insideStar(const Mesh& mesh, Vertex vertex, Point to) {
   Star star;
   starOf(mesh, vertex, star);
-  return star.closed && std::ranges::all_of(star.rim, [&](std::int32_t rim) {
+  return star.closed && std::ranges::all_of(star.rim, [&](Half rim) {
            return orient2d(pointOf(mesh, startOf(mesh, rim)), pointOf(mesh, endOf(mesh, rim)), to) > 0;
          });
 }
@@ -36,7 +37,7 @@ TEST(MoveVertex, LeavesTheDelaunayTriangulationOfTheMovedPoints) {
   MoveLog log;
   int moved = 0, flipped = 0;
   for (int k = 0; k < 600; ++k) {
-    const auto vertex = static_cast<std::int32_t>(4 + random.below(mesh.points.size() - 4));
+    const Vertex vertex(4 + random.below(mesh.points.size() - 4));
     const Point from = pointOf(mesh, vertex);
     const Point to = from + Point{random.between(-0.1, 0.1), random.between(-0.1, 0.1)};
     const bool fits = insideStar(mesh, vertex, to);
@@ -49,20 +50,20 @@ TEST(MoveVertex, LeavesTheDelaunayTriangulationOfTheMovedPoints) {
     ++moved;
     flipped += log.flips > 0 ? 1 : 0;
     ASSERT_EQ(pointOf(mesh, vertex), to);
-    ASSERT_EQ(mesh.nextId, before.nextId + 2 * log.flips);
+    ASSERT_EQ(mesh.nextId.n, before.nextId.n + 2 * log.flips);
     support::expectValid(mesh);
     if (HasFailure()) return;
     // What changed lies in the slots that the log names.
-    for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-      const bool named = std::ranges::count(log.slots, static_cast<std::int32_t>(slot)) > 0;
+    for (const Slot slot : mesh.triangles.keys()) {
+      const bool named = std::ranges::count(log.slots, slot) > 0;
       if (!named) {
         ASSERT_EQ(mesh.ids[slot], before.ids[slot]);
         ASSERT_EQ(mesh.triangles[slot].v, before.triangles[slot].v);
       } else {
         ASSERT_EQ(mesh.tested[slot], 0);
-        for (const std::int32_t across : mesh.triangles[slot].adj) {
-          if (across >= 0) {
-            ASSERT_EQ(mesh.tested[at(triangleOf(across))], 0);
+        for (const Half across : mesh.triangles[slot].adj) {
+          if (across.exists()) {
+            ASSERT_EQ(mesh.tested[triangleOf(across)], 0);
           }
         }
       }
@@ -71,7 +72,7 @@ TEST(MoveVertex, LeavesTheDelaunayTriangulationOfTheMovedPoints) {
   EXPECT_GT(moved, 50);
   EXPECT_GT(flipped, 20);
   std::vector<Point> points(mesh.points.begin() + 4, mesh.points.end());
-  Mesh afresh = support::boxMesh(mesh.points[0], mesh.points[2]);
+  Mesh afresh = support::boxMesh(mesh.points[0_v], mesh.points[2_v]);
   for (const Point p : points) support::insert(afresh, p);
   EXPECT_EQ(support::trianglesOf(mesh), support::trianglesOf(afresh));
 }
@@ -82,7 +83,7 @@ TEST(UndoMove, GivesBackTheSameBytes) {
   MoveLog log;
   int flipped = 0;
   for (int k = 0; k < 2000; ++k) {
-    const auto vertex = static_cast<std::int32_t>(4 + random.below(mesh.points.size() - 4));
+    const Vertex vertex(4 + random.below(mesh.points.size() - 4));
     const Point to = pointOf(mesh, vertex) + Point{random.between(-0.1, 0.1), random.between(-0.1, 0.1)};
     const Mesh before = mesh;
     if (!moveVertex(mesh, vertex, to, log)) continue;
@@ -101,8 +102,8 @@ TEST(UndoMove, GivesBackTheSameBytesNextToBoundaries) {
   Random random{33};
   MoveLog log;
   for (int k = 0; k < 2000; ++k) {
-    const auto vertex = static_cast<std::int32_t>(random.below(mesh.points.size()));
-    if (mesh.vertexTriangle[at(vertex)] < 0 || mesh.vertexEdge[at(vertex)] >= 0) continue;
+    const Vertex vertex(random.below(mesh.points.size()));
+    if (!mesh.vertexTriangle[vertex].exists() || mesh.vertexEdge[vertex].exists()) continue;
     const Point to = pointOf(mesh, vertex) + Point{random.between(-0.5, 0.5), random.between(-0.5, 0.5)};
     const Mesh before = mesh;
     if (!moveVertex(mesh, vertex, to, log)) continue;
@@ -123,7 +124,7 @@ TEST(MoveVertex, EndsOnAGrid) {
   Random random{34};
   MoveLog log;
   for (int k = 0; k < 500; ++k) {
-    const auto vertex = static_cast<std::int32_t>(4 + random.below(grid.size()));
+    const Vertex vertex(4 + random.below(grid.size()));
     const Point to{0.25 * static_cast<double>(random.below(21)), 0.25 * static_cast<double>(random.below(21))};
     if (!moveVertex(mesh, vertex, to, log)) continue;
     support::expectValid(mesh);
@@ -136,9 +137,9 @@ TEST(MoveVertex, RefusesABoundaryVertex) {
   support::insert(mesh, {0.5, 0.5});
   const Mesh before = mesh;
   MoveLog log;
-  EXPECT_FALSE(moveVertex(mesh, 0, {0.1, 0.1}, log));
-  EXPECT_FALSE(moveVertex(mesh, 4, {0.5, 0.0}, log)) << "onto a side: a triangle would have no area";
-  EXPECT_FALSE(moveVertex(mesh, 4, {0.5, -0.1}, log));
+  EXPECT_FALSE(moveVertex(mesh, 0_v, {0.1, 0.1}, log));
+  EXPECT_FALSE(moveVertex(mesh, 4_v, {0.5, 0.0}, log)) << "onto a side: a triangle would have no area";
+  EXPECT_FALSE(moveVertex(mesh, 4_v, {0.5, -0.1}, log));
   EXPECT_EQ(support::difference(mesh, before), "");
 }
 

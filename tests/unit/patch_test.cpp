@@ -14,21 +14,22 @@
 namespace triscope {
 namespace {
 
+using support::operator""_slot;
 using support::Random;
 
 // Slots within `depth` steps across unconstrained edges, by steps over the whole mesh.
-std::vector<std::int32_t> within(const Mesh& mesh, std::int32_t slot, int depth) {
-  std::map<std::int32_t, int> steps{{slot, 0}};
+std::vector<Slot> within(const Mesh& mesh, Slot slot, int depth) {
+  std::map<Slot, int> steps{{slot, 0}};
   for (int ring = 0; ring < depth; ++ring) {
-    for (const std::int32_t s : support::liveSlots(mesh)) {
+    for (const Slot s : support::liveSlots(mesh)) {
       if (steps.count(s) == 0 || steps[s] != ring) continue;
       for (int i = 0; i < 3; ++i) {
-        const std::int32_t across = oppositeOf(mesh, 3 * s + i);
-        if (across >= 0 && !constrained(mesh, 3 * s + i)) steps.emplace(triangleOf(across), ring + 1);
+        const Half across = oppositeOf(mesh, halfOf(s, i));
+        if (across.exists() && !constrained(mesh, halfOf(s, i))) steps.emplace(triangleOf(across), ring + 1);
       }
     }
   }
-  std::vector<std::int32_t> found;
+  std::vector<Slot> found;
   for (const auto& [s, d] : steps) found.push_back(s);
   return found;
 }
@@ -42,52 +43,49 @@ INSTANTIATE_TEST_SUITE_P(Domains, PatchOf, testing::Values(support::kRound, supp
 
 TEST_P(PatchOf, IsACopyOfTheTrianglesAround) {
   const Mesh& mesh = state.mesh;
-  const std::vector<std::int32_t> live = support::liveSlots(mesh);
+  const std::vector<Slot> live = support::liveSlots(mesh);
   Random random{61};
   Patch patch;
   for (int k = 0; k < 30; ++k) {
-    const std::int32_t slot = live[random.below(live.size())];
+    const Slot slot = live[random.below(live.size())];
     const int depth = static_cast<int>(random.below(8));
     extractPatch(mesh, slot, depth, patch);
     EXPECT_EQ(patch.slots.front(), slot);
-    std::vector<std::int32_t> slots = patch.slots;
+    std::vector<Slot> slots = patch.slots;
     std::ranges::sort(slots);
     EXPECT_EQ(slots, within(mesh, slot, depth));
     ASSERT_EQ(patch.mesh.triangles.size(), patch.slots.size());
     ASSERT_EQ(patch.mesh.points.size(), patch.vertices.size());
-    for (std::size_t v = 0; v < patch.vertices.size(); ++v) {
+    for (const Vertex v : patch.vertices.keys()) {
       EXPECT_EQ(patch.mesh.points[v], pointOf(mesh, patch.vertices[v]));
-      EXPECT_EQ(patch.mesh.kinds[v], mesh.kinds[at(patch.vertices[v])]);
+      EXPECT_EQ(patch.mesh.kinds[v], mesh.kinds[patch.vertices[v]]);
     }
-    for (std::size_t s = 0; s < patch.slots.size(); ++s) {
-      const auto local = static_cast<std::int32_t>(s);
-      EXPECT_EQ(idOf(patch.mesh, local), idOf(mesh, patch.slots[s]));
+    for (const Slot local : patch.slots.keys()) {
+      EXPECT_EQ(idOf(patch.mesh, local), idOf(mesh, patch.slots[local]));
       for (int i = 0; i < 3; ++i) {
-        const auto corner = static_cast<std::size_t>(i);
-        EXPECT_EQ(patch.vertices[at(triangleAt(patch.mesh, local).v[corner])],
-                  triangleAt(mesh, patch.slots[s]).v[corner]);
-        const std::int32_t inner = oppositeOf(patch.mesh, 3 * local + i);
-        const std::int32_t outer = oppositeOf(mesh, 3 * patch.slots[s] + i);
-        const bool rim = outer < 0 || std::ranges::count(patch.slots, triangleOf(outer)) == 0;
-        EXPECT_EQ(inner < 0, rim);
-        EXPECT_EQ(constrained(patch.mesh, 3 * local + i), rim || constrained(mesh, 3 * patch.slots[s] + i));
+        EXPECT_EQ(patch.vertices[triangleAt(patch.mesh, local).v[i]], triangleAt(mesh, patch.slots[local]).v[i]);
+        const Half inner = oppositeOf(patch.mesh, halfOf(local, i));
+        const Half outer = oppositeOf(mesh, halfOf(patch.slots[local], i));
+        const bool rim = !outer.exists() || std::ranges::count(patch.slots, triangleOf(outer)) == 0;
+        EXPECT_EQ(!inner.exists(), rim);
+        EXPECT_EQ(constrained(patch.mesh, halfOf(local, i)), rim || constrained(mesh, halfOf(patch.slots[local], i)));
         if (!rim) {
-          EXPECT_EQ(patch.slots[at(triangleOf(inner))], triangleOf(outer));
+          EXPECT_EQ(patch.slots[triangleOf(inner)], triangleOf(outer));
           EXPECT_EQ(cornerOf(inner), cornerOf(outer));
         }
       }
     }
     ASSERT_EQ(patch.mesh.edges.size(), patch.edges.size());
-    for (std::size_t e = 0; e < patch.edges.size(); ++e) {
+    for (const EdgeId e : patch.edges.keys()) {
       const BoundaryEdge& small = patch.mesh.edges[e];
-      const BoundaryEdge& whole = mesh.edges[at(patch.edges[e])];
-      EXPECT_EQ(patch.vertices[at(small.v0)], whole.v0);
-      EXPECT_EQ(patch.vertices[at(small.v1)], whole.v1);
+      const BoundaryEdge& whole = mesh.edges[patch.edges[e]];
+      EXPECT_EQ(patch.vertices[small.v0], whole.v0);
+      EXPECT_EQ(patch.vertices[small.v1], whole.v1);
       EXPECT_EQ(small.curve, whole.curve);
       EXPECT_EQ(small.t0, whole.t0);
       EXPECT_EQ(small.t1, whole.t1);
-      EXPECT_GE(findBoundaryEdge(patch.mesh, small.v0, small.v1), 0);
-      EXPECT_GE(findBoundaryEdge(patch.mesh, small.v1, small.v0), 0);
+      EXPECT_TRUE(findBoundaryEdge(patch.mesh, small.v0, small.v1).exists());
+      EXPECT_TRUE(findBoundaryEdge(patch.mesh, small.v1, small.v0).exists());
     }
   }
 }
@@ -96,16 +94,16 @@ TEST_P(PatchOf, IsACopyOfTheTrianglesAround) {
 // circle.
 TEST_P(PatchOf, EditsGiveTheSameTrianglesAsInTheMesh) {
   Random random{62};
-  const std::vector<std::int32_t> live = support::liveSlots(state.mesh);
+  const std::vector<Slot> live = support::liveSlots(state.mesh);
   Patch patch;
   int edits = 0;
   for (int k = 0; k < 40; ++k) {
-    const std::int32_t slot = live[random.below(live.size())];
-    const std::int32_t vertex = triangleAt(state.mesh, slot).v[0];
-    if (state.mesh.vertexEdge[at(vertex)] >= 0) continue;
+    const Slot slot = live[random.below(live.size())];
+    const Vertex vertex = triangleAt(state.mesh, slot).v[0];
+    if (state.mesh.vertexEdge[vertex].exists()) continue;
     extractPatch(state.mesh, slot, 9, patch);
     Mesh mesh = state.mesh;
-    const std::int32_t local = triangleAt(patch.mesh, 0).v[0];
+    const Vertex local = triangleAt(patch.mesh, 0_slot).v[0];
     if (k % 2 == 0) {
       ASSERT_TRUE(removeVertex(mesh, vertex));
       ASSERT_TRUE(removeVertex(patch.mesh, local));

@@ -4,10 +4,12 @@
 
 #include "core/geometry/predicates.h"
 #include "sample_states.h"
+#include "support/ids.h"
 
 namespace triscope {
 namespace {
 
+using support::operator""_id, support::operator""_slot;
 using Kind = Selection::Kind;
 
 const MeshState& meshed() {
@@ -15,25 +17,25 @@ const MeshState& meshed() {
   return state;
 }
 
-Point centroid(const Mesh& mesh, std::int32_t slot) {
+Point centroid(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
 }
 
 TEST(Pick, VertexComesBeforeEdgeBeforeTriangle) {
   const Mesh& mesh = meshed().mesh;
-  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+  for (const Slot slot : mesh.triangles.keys()) {
     if (!mesh.alive(slot)) continue;
     const Triangle& t = triangleAt(mesh, slot);
     const Pick inside = pick(meshed(), centroid(mesh, slot), 1e-3);
-    EXPECT_EQ(inside.selection, (Selection{Kind::triangle, slot, -1}));
-    EXPECT_EQ(inside.id, idOf(mesh, slot));
+    EXPECT_EQ(inside.selection, (Selection{Kind::triangle, slot.n, -1}));
+    EXPECT_EQ(inside.id, idOf(mesh, slot).word());
     const Pick corner = pick(meshed(), pointOf(mesh, t.v[0]) + Point{5e-4, 0.0}, 1e-3);
-    EXPECT_EQ(corner.selection, (Selection{Kind::vertex, t.v[0], -1}));
+    EXPECT_EQ(corner.selection, (Selection{Kind::vertex, t.v[0].n, -1}));
     EXPECT_NEAR(corner.distance, 5e-4, 1e-9);
     const Pick edge = pick(meshed(), midpoint(pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])), 1e-3);
     ASSERT_EQ(edge.selection.kind, Kind::edge);
-    const std::int32_t half = 3 * edge.selection.index + edge.selection.edge;
+    const Half half = halfOf(edge.selection.slot(), edge.selection.edge);
     EXPECT_EQ(std::min(startOf(mesh, half), endOf(mesh, half)), std::min(t.v[1], t.v[2]));
     EXPECT_EQ(std::max(startOf(mesh, half), endOf(mesh, half)), std::max(t.v[1], t.v[2]));
   }
@@ -66,25 +68,23 @@ TEST(Pick, AWalkIntoAHoleStillFindsWhatLiesBehindIt) {
   const Point left{-5.03, 0.11};
   const Point right{5.07, 0.13};
   state.mesh.lastTriangle = triangleContaining(state.mesh, left);
-  const std::int32_t slot = triangleContaining(state.mesh, right);
-  ASSERT_GE(slot, 0);
+  const Slot slot = triangleContaining(state.mesh, right);
+  ASSERT_TRUE(slot.exists());
   const Triangle& t = triangleAt(state.mesh, slot);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_GE(orient2d(pointOf(state.mesh, t.v[static_cast<std::size_t>(next3(i))]),
-                       pointOf(state.mesh, t.v[static_cast<std::size_t>(prev3(i))]), right),
-              0);
+    EXPECT_GE(orient2d(pointOf(state.mesh, t.v[next3(i)]), pointOf(state.mesh, t.v[prev3(i)]), right), 0);
   }
 }
 
 TEST(Pick, SlotOfKnowsTheLivingFromTheDead) {
   const Mesh& mesh = meshed().mesh;
-  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+  for (const Slot slot : mesh.triangles.keys()) {
     if (mesh.alive(slot)) {
       EXPECT_EQ(slotOf(mesh, idOf(mesh, slot)), slot);
     }
   }
-  EXPECT_EQ(slotOf(mesh, 0), -1) << "the first triangle was around the whole domain and is gone";
-  EXPECT_EQ(slotOf(mesh, kNoId), -1);
+  EXPECT_EQ(slotOf(mesh, 0_id), Slot()) << "the first triangle was around the whole domain and is gone";
+  EXPECT_EQ(slotOf(mesh, TriangleId(kNoId)), Slot());
 }
 
 TEST(Pick, IsPresentWhereTheMeshHasItAndNowhereElse) {
@@ -99,10 +99,10 @@ TEST(Pick, IsPresentWhereTheMeshHasItAndNowhereElse) {
   EXPECT_EQ(present(later, cell), cell.selection);
   EXPECT_EQ(present(start, cell), Selection{});
   // A slot that another triangle has now does not stand for the one meant.
-  const std::int32_t slot = triangleContaining(later.mesh, {5.0, 5.0});
-  Pick moved{{Kind::triangle, slot == 0 ? 1 : 0, -1}, idOf(later.mesh, slot), 0.0};
-  EXPECT_EQ(present(later, moved), (Selection{Kind::triangle, slot, -1}));
-  moved.id = later.mesh.nextId;
+  const Slot slot = triangleContaining(later.mesh, {5.0, 5.0});
+  Pick moved{{Kind::triangle, slot == 0_slot ? 1 : 0, -1}, idOf(later.mesh, slot).word(), 0.0};
+  EXPECT_EQ(present(later, moved), (Selection{Kind::triangle, slot.n, -1}));
+  moved.id = later.mesh.nextId.word();
   EXPECT_EQ(present(later, moved), Selection{});
 }
 

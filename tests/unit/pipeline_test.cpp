@@ -179,7 +179,7 @@ TEST(Events, StagesBeginAndFinishInPairs) {
 
 std::set<std::uint32_t> liveIds(const Mesh& mesh) {
   std::set<std::uint32_t> ids;
-  for (const std::int32_t slot : support::liveSlots(mesh)) ids.insert(idOf(mesh, slot));
+  for (const Slot slot : support::liveSlots(mesh)) ids.insert(idOf(mesh, slot).word());
   return ids;
 }
 
@@ -215,13 +215,13 @@ TEST_P(EventsOf, AccountForEveryChange) {
       if (event.kind == EventKind::cell_split) continue;
       for (std::uint32_t k = 0; k < event.createdCount; ++k) announced.insert(event.created + k);
       if (event.createdCount > 0) {
-        EXPECT_GE(event.created, was.mesh.nextId);
-        EXPECT_LE(event.created + event.createdCount, is.mesh.nextId);
+        EXPECT_GE(event.created, was.mesh.nextId.word());
+        EXPECT_LE(event.created + event.createdCount, is.mesh.nextId.word());
       }
       if (event.kind == EventKind::vertex_inserted || event.kind == EventKind::edge_split) {
         ASSERT_LT(event.vertex, is.mesh.points.size());
         EXPECT_GE(event.vertex, was.mesh.points.size());
-        EXPECT_EQ(is.mesh.points[event.vertex], event.at);
+        EXPECT_EQ(is.mesh.points[Vertex(event.vertex)], event.at);
       }
     }
     if (!changed && events.front().kind != EventKind::triangle_removed) return;
@@ -234,7 +234,7 @@ TEST_P(EventsOf, AccountForEveryChange) {
       // The two triangles of the box around everything come with the first point.
       EXPECT_TRUE(announced.count(id) != 0 || was.mesh.points.empty()) << "nobody announced triangle " << id;
     }
-    for (const std::uint32_t id : before) gone += after.count(id) == 0 ? 1 : 0;
+    for (const std::uint32_t id : before) gone += after.count(id) == 0 ? 1u : 0u;
     if (events.size() == 1 && events.front().removedCount > 0 && !was.mesh.points.empty()) {
       EXPECT_EQ(events.front().removedCount, gone) << name(events.front().kind);
       EXPECT_EQ(events.front().createdCount, fresh) << name(events.front().kind);
@@ -256,11 +256,11 @@ TEST_P(EventsOf, AgreeWithTheCounts) {
     for (const Event& event : events) {
       if (event.stage != info.id) continue;
       counted.inserted += event.kind == EventKind::vertex_inserted || event.kind == EventKind::edge_split ? 1 : 0;
-      counted.refused += refusal(event) ? 1 : 0;
+      counted.refused += refusal(event) ? 1u : 0u;
       counted.moved += event.kind == EventKind::vertex_moved ? 1 : 0;
       counted.removed += event.kind == EventKind::vertex_removed ? 1 : 0;
     }
-    const StageCounts& counts = state.counts[static_cast<std::size_t>(info.id)];
+    const StageCounts& counts = state.counts[info.id];
     EXPECT_EQ(counts.refused, counted.refused) << info.name;
     EXPECT_EQ(counts.moved, counted.moved) << info.name;
     EXPECT_EQ(counts.removed, counted.removed) << info.name;

@@ -6,9 +6,12 @@
 
 #include "core/mesh/edit.h"
 #include "core/quality/bound_figure.h"
+#include "support/ids.h"
 
 namespace triscope {
 namespace {
+
+using support::operator""_slot, support::operator""_v;
 
 TEST(TriangleQuality, OfTheEquilateralTriangle) {
   const double h = std::sqrt(3.0) / 2.0;
@@ -71,10 +74,10 @@ Mesh twoTriangles() {
   addVertex(mesh, {0, 3}, VertexKind::kept, 1);
   addVertex(mesh, {1, -1}, VertexKind::steiner, 1);
   addVertex(mesh, {9, 9}, VertexKind::removed, 1);
-  const std::int32_t below = addTriangle(mesh, 1, 0, 3);
-  const std::int32_t above = addTriangle(mesh, 0, 1, 2);
-  link(mesh, 3 * below + 2, 3 * above + 2);
-  addBoundaryEdge(mesh, {.v0 = 1, .v1 = 2});
+  const Slot below = addTriangle(mesh, 1_v, 0_v, 3_v);
+  const Slot above = addTriangle(mesh, 0_v, 1_v, 2_v);
+  link(mesh, halfOf(below, 2), halfOf(above, 2));
+  addBoundaryEdge(mesh, support::boundaryEdge(1_v, 2_v));
   return mesh;
 }
 
@@ -87,14 +90,14 @@ TEST(MeshQuality, FindsTheWorstOfTwo) {
   EXPECT_EQ(q.obtuse, 1u);
   EXPECT_DOUBLE_EQ(q.area, 8.0);
   EXPECT_DOUBLE_EQ(q.areaRatioMax, 3.0);
-  EXPECT_EQ(q.areaRatioAt, 1);
-  EXPECT_EQ(q.areaRatioOther, 0);
-  EXPECT_EQ(q.aspectAt, 0);
-  EXPECT_EQ(q.edgeRatioAt, 0);
+  EXPECT_EQ(q.areaRatioAt, 1_slot);
+  EXPECT_EQ(q.areaRatioOther, 0_slot);
+  EXPECT_EQ(q.aspectAt, 0_slot);
+  EXPECT_EQ(q.edgeRatioAt, 0_slot);
   EXPECT_DOUBLE_EQ(q.edgeRatioMax, 4.0 / std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(q.minEdge, std::sqrt(2.0));
-  EXPECT_EQ(q.minEdgeAt, 0);
-  EXPECT_EQ(q.maxAngleAt, 0);
+  EXPECT_EQ(q.minEdgeAt, 0_slot);
+  EXPECT_EQ(q.maxAngleAt, 0_slot);
   EXPECT_NEAR(q.maxAngle, 45.0 + std::atan2(3.0, 1.0) * 180.0 / 3.141592653589793, 1e-12);
   EXPECT_FALSE(q.withinBounds());
 }
@@ -102,35 +105,35 @@ TEST(MeshQuality, FindsTheWorstOfTwo) {
 TEST(MeshQuality, TheAreaRatioWithoutAPairIsOne) {
   Mesh mesh;
   for (const Point p : {Point{0, 0}, Point{1, 0}, Point{0.5, 0.9}}) addVertex(mesh, p, VertexKind::kept, 1);
-  addTriangle(mesh, 0, 1, 2);
+  addTriangle(mesh, 0_v, 1_v, 2_v);
   const Quality q = measure(mesh);
   EXPECT_EQ(q.areaRatioMax, 1.0);
-  EXPECT_EQ(q.areaRatioAt, -1);
+  EXPECT_EQ(q.areaRatioAt, Slot());
   EXPECT_TRUE(q.withinBounds());
 }
 
 TEST(MeshQuality, TiesGoToTheLowestId) {
   Mesh mesh = twoTriangles();
-  mesh.points[3] = {4, -3};  // the mirror image: every measure is a tie
-  EXPECT_EQ(measure(mesh).aspectAt, 0);
-  EXPECT_EQ(measure(mesh).areaRatioAt, 0);
-  std::swap(mesh.ids[0], mesh.ids[1]);
+  mesh.points[3_v] = {4, -3};  // the mirror image: every measure is a tie
+  EXPECT_EQ(measure(mesh).aspectAt, 0_slot);
+  EXPECT_EQ(measure(mesh).areaRatioAt, 0_slot);
+  std::swap(mesh.ids[0_slot], mesh.ids[1_slot]);
   const Quality q = measure(mesh);
-  for (const std::int32_t at : {q.aspectAt, q.edgeRatioAt, q.minAngleAt, q.maxAngleAt, q.minEdgeAt, q.areaRatioAt}) {
-    EXPECT_EQ(at, 1);
+  for (const Slot at : {q.aspectAt, q.edgeRatioAt, q.minAngleAt, q.maxAngleAt, q.minEdgeAt, q.areaRatioAt}) {
+    EXPECT_EQ(at, 1_slot);
   }
-  EXPECT_EQ(q.areaRatioOther, 0);
+  EXPECT_EQ(q.areaRatioOther, 0_slot);
 }
 
 TEST(MeshQuality, LeavesOutDeadAndHelperTriangles) {
   Mesh mesh = twoTriangles();
-  mesh.kinds[3] = VertexKind::helper;
+  mesh.kinds[3_v] = VertexKind::helper;
   EXPECT_EQ(measure(mesh).triangles, 1u);
-  EXPECT_EQ(measure(mesh).areaRatioAt, -1);
-  killTriangle(mesh, 1);
+  EXPECT_EQ(measure(mesh).areaRatioAt, Slot());
+  killTriangle(mesh, 1_slot);
   const Quality none = measure(mesh);
   EXPECT_EQ(none.triangles, 0u);
-  EXPECT_EQ(none.aspectAt, -1);
+  EXPECT_EQ(none.aspectAt, Slot());
   EXPECT_EQ(none.vertices, 0u);
 }
 

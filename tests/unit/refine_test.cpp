@@ -26,10 +26,10 @@ Settings only(bool Settings::* part) {
   return settings;
 }
 
-bool insideStar(const Mesh& mesh, std::int32_t vertex, Point to) {
+bool insideStar(const Mesh& mesh, Vertex vertex, Point to) {
   Star star;
   starOf(mesh, vertex, star);
-  return star.closed && std::ranges::all_of(star.rim, [&](std::int32_t rim) {
+  return star.closed && std::ranges::all_of(star.rim, [&](Half rim) {
            return orient2d(pointOf(mesh, startOf(mesh, rim)), pointOf(mesh, endOf(mesh, rim)), to) > 0;
          });
 }
@@ -46,8 +46,8 @@ TEST_P(Refine, EveryMoveIsWhatItsEventSays) {
     if (events.empty()) return;
     ASSERT_EQ(events.size(), 1u);
     const Event& event = events.front();
-    const auto vertex = static_cast<std::int32_t>(event.vertex);
-    EXPECT_EQ(before.mesh.vertexEdge[at(vertex)], -1) << "a boundary vertex may not move";
+    const Vertex vertex(event.vertex);
+    EXPECT_EQ(before.mesh.vertexEdge[vertex], EdgeId()) << "a boundary vertex may not move";
     EXPECT_EQ(event.from, pointOf(before.mesh, vertex));
     EXPECT_EQ(now.mesh.points.size(), before.mesh.points.size());
     if (event.kind == EventKind::vertex_moved) {
@@ -90,8 +90,8 @@ TEST_P(Refine, BoundaryStaysWhereItIs) {
   MeshState state = support::after(support::domainFrom(GetParam()), Stage::step5);
   const MeshState before = state;
   support::runPast(state, Stage::refine);
-  for (std::size_t v = 0; v < before.mesh.points.size(); ++v) {
-    if (before.mesh.vertexEdge[v] >= 0) {
+  for (const Vertex v : before.mesh.points.keys()) {
+    if (before.mesh.vertexEdge[v].exists()) {
       EXPECT_EQ(state.mesh.points[v], before.mesh.points[v]);
     }
   }
@@ -146,9 +146,9 @@ TEST(Laplacian, MovesTowardTheMeanOfTheNeighbours) {
       if (events.empty()) return;
       const Event& event = events.front();
       Star star;
-      starOf(before.mesh, static_cast<std::int32_t>(event.vertex), star);
+      starOf(before.mesh, Vertex(event.vertex), star);
       Point mean;
-      for (const std::int32_t rim : star.rim) mean = mean + pointOf(before.mesh, startOf(before.mesh, rim));
+      for (const Half rim : star.rim) mean = mean + pointOf(before.mesh, startOf(before.mesh, rim));
       mean = (1.0 / static_cast<double>(star.rim.size())) * mean;
       const Point expected = event.from + (1.0 - std::pow(1.0 - omega, 24)) * (mean - event.from);
       EXPECT_LT(distance(event.at, expected), 1e-12);

@@ -8,8 +8,8 @@
 
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
+#include "core/mesh/strain.h"
 #include "core/method/stages/refine_marks.h"
-#include "core/method/stages/refine_strain.h"
 #include "support/judge.h"
 #include "support/meshes.h"
 #include "support/random_domains.h"
@@ -29,15 +29,15 @@ struct Tally {
   int left = 0;  // to the full trial
 };
 
-std::vector<std::int32_t> movableOf(const Mesh& mesh) {
-  std::vector<std::int32_t> movable;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    if (mesh.vertexEdge[v] < 0 && mesh.vertexTriangle[v] >= 0) movable.push_back(static_cast<std::int32_t>(v));
+std::vector<Vertex> movableOf(const Mesh& mesh) {
+  std::vector<Vertex> movable;
+  for (const Vertex v : mesh.points.keys())
+    if (!mesh.vertexEdge[v].exists() && mesh.vertexTriangle[v].exists()) movable.push_back(v);
   return movable;
 }
 
 // Somewhere to go for the vertex, most often near, at times across its star, which is left in the room.
-Move randomMove(const Mesh& mesh, std::int32_t vertex, Random& random, TrialRoom& room) {
+Move randomMove(const Mesh& mesh, Vertex vertex, Random& random, TrialRoom& room) {
   EXPECT_TRUE(gather(mesh, vertex, room.wheel));
   const Point from = pointOf(mesh, vertex);
   double nearest = 1e300;
@@ -49,19 +49,16 @@ Move randomMove(const Mesh& mesh, std::int32_t vertex, Random& random, TrialRoom
 
 // What the marks say is so.
 void expectMarksHold(const Mesh& mesh) {
-  for (const std::int32_t slot : support::liveSlots(mesh)) {
-    const std::uint8_t tested = mesh.tested[at(slot)];
+  for (const Slot slot : support::liveSlots(mesh)) {
+    const std::uint8_t tested = mesh.tested[slot];
     const Triangle& t = triangleAt(mesh, slot);
     for (int i = 0; i < 3; ++i) {
-      const std::int32_t across = t.adj[static_cast<std::size_t>(i)];
-      if ((tested & kEven) != 0 && across >= 0) {
+      const Half across = t.adj[i];
+      if ((tested & kEven) != 0 && across.exists()) {
         EXPECT_LE(twiceArea(mesh, triangleOf(across)), kLargeAreaRatio * twiceArea(mesh, slot));
       }
       if ((tested & kAcute) != 0) {
-        EXPECT_GE(dotSign(pointOf(mesh, t.v[static_cast<std::size_t>(i)]),
-                          pointOf(mesh, t.v[static_cast<std::size_t>(next3(i))]),
-                          pointOf(mesh, t.v[static_cast<std::size_t>(prev3(i))])),
-                  0);
+        EXPECT_GE(dotSign(pointOf(mesh, t.v[i]), pointOf(mesh, t.v[next3(i)]), pointOf(mesh, t.v[prev3(i)])), 0);
       }
     }
   }
@@ -88,7 +85,7 @@ void expectAlike(MeshState& state, const Move& move, TrialRoom& room, Tally& tal
   if (answer.refusal != Refusal::none) return;
   expectMarksHold(quick.mesh);
   // The full trial remembers nothing around the move; the quick one what it knows to hold, and nothing of passes.
-  for (std::size_t slot = 0; slot < state.mesh.tested.size(); ++slot) {
+  for (const Slot slot : state.mesh.tested.keys()) {
     if (state.mesh.tested[slot] != quick.mesh.tested[slot]) {
       ASSERT_EQ(quick.mesh.tested[slot] & ~(kEven | kAcute), 0);
       ASSERT_EQ(state.mesh.tested[slot], 0);
@@ -110,9 +107,9 @@ TEST_P(QuickTrial, AnswersAsTheFullOne) {
     const support::Placement placement = k == 0 ? support::Placement{} : support::randomPlacement(random);
     const std::string text = support::randomDomain(random, static_cast<support::Shape>(GetParam()), placement);
     MeshState state = support::after(support::domainFrom(text), Stage::step5);
-    keep({.aspect = 4.0, .areaRatio = 2.8, .edgeRatio = 1.9, .radius = 0.95}, state.cursor);
+    state.cursor.of<Polishing>().worst = {.aspect = 4.0, .areaRatio = 2.8, .edgeRatio = 1.9, .radius = 0.95};
     for (std::uint8_t& tested : state.mesh.tested) tested = tested == kTestedAll ? kTestedAll : std::uint8_t{0};
-    const std::vector<std::int32_t> movable = movableOf(state.mesh);
+    const std::vector<Vertex> movable = movableOf(state.mesh);
     for (int n = 0; n < 400 && !movable.empty(); ++n) {
       const Move move = randomMove(state.mesh, movable[random.below(movable.size())], random, room);
       expectAlike(state, move, room, tally);

@@ -12,6 +12,7 @@
 namespace triscope {
 namespace {
 
+using support::operator""_v;
 using support::PointSet;
 using support::Random;
 
@@ -22,18 +23,18 @@ INSTANTIATE_TEST_SUITE_P(Points, Remove, testing::ValuesIn(support::difficultPoi
 
 TEST_P(Remove, LeavesADelaunayTriangulationUntilNothingIsLeft) {
   Mesh mesh = support::triangulationOf(GetParam().points);
-  std::vector<std::int32_t> inner;
-  for (std::size_t v = 4; v < mesh.points.size(); ++v) inner.push_back(static_cast<std::int32_t>(v));
+  std::vector<Vertex> inner;
+  for (std::size_t v = 4; v < mesh.points.size(); ++v) inner.push_back(Vertex(v));
   Random random{21};
   for (std::size_t k = inner.size(); k > 0; --k) std::swap(inner[k - 1], inner[random.below(k)]);
   for (std::size_t k = 0; k < inner.size(); ++k) {
-    const std::uint32_t nextId = mesh.nextId;
+    const TriangleId nextId = mesh.nextId;
     const std::size_t live = mesh.liveCount();
     ASSERT_TRUE(removeVertex(mesh, inner[k]));
     ASSERT_EQ(mesh.liveCount(), live - 2);
     ASSERT_GT(mesh.nextId, nextId);
-    ASSERT_EQ(mesh.kinds[at(inner[k])], VertexKind::removed);
-    ASSERT_EQ(mesh.vertexTriangle[at(inner[k])], -1);
+    ASSERT_EQ(mesh.kinds[inner[k]], VertexKind::removed);
+    ASSERT_EQ(mesh.vertexTriangle[inner[k]], Slot());
     ASSERT_TRUE(mesh.alive(mesh.lastTriangle));
     support::expectValid(mesh);
     if (k % 8 == 0) support::expectDelaunayByBruteForce(mesh);
@@ -47,7 +48,7 @@ TEST(RemoveVertex, LeavesWhatWasThereBeforeItCame) {
   Mesh mesh = support::triangulationOf(support::randomPoints(random, 50, {0, 0}, {1, 1}));
   for (int k = 0; k < 50; ++k) {
     const auto before = support::trianglesOf(mesh);
-    const std::int32_t vertex = support::insert(mesh, {random.unit(), random.unit()});
+    const Vertex vertex = support::insert(mesh, {random.unit(), random.unit()});
     ASSERT_TRUE(removeVertex(mesh, vertex));
     EXPECT_EQ(support::trianglesOf(mesh), before);
   }
@@ -58,17 +59,17 @@ TEST(RemoveVertex, ForgetsOldTestsAround) {
   Mesh mesh = support::triangulationOf(support::randomPoints(random, 50, {0, 0}, {1, 1}));
   std::ranges::fill(mesh.tested, std::uint8_t{0xff});
   Star star;
-  starOf(mesh, 20, star);
-  std::vector<std::int32_t> beyond;
-  for (const std::int32_t rim : star.rim) {
-    if (oppositeOf(mesh, rim) >= 0) beyond.push_back(triangleOf(oppositeOf(mesh, rim)));
+  starOf(mesh, 20_v, star);
+  std::vector<Slot> beyond;
+  for (const Half rim : star.rim) {
+    if (oppositeOf(mesh, rim).exists()) beyond.push_back(triangleOf(oppositeOf(mesh, rim)));
   }
-  const std::uint32_t firstId = mesh.nextId;
-  ASSERT_TRUE(removeVertex(mesh, 20));
-  for (const std::int32_t slot : beyond) EXPECT_EQ(mesh.tested[at(slot)], 0);
-  for (const std::int32_t slot : support::liveSlots(mesh)) {
+  const TriangleId firstId = mesh.nextId;
+  ASSERT_TRUE(removeVertex(mesh, 20_v));
+  for (const Slot slot : beyond) EXPECT_EQ(mesh.tested[slot], 0);
+  for (const Slot slot : support::liveSlots(mesh)) {
     if (idOf(mesh, slot) >= firstId) {
-      EXPECT_EQ(mesh.tested[at(slot)], 0);
+      EXPECT_EQ(mesh.tested[slot], 0);
     }
   }
 }
@@ -77,7 +78,7 @@ TEST(RemoveVertex, RefusesTheBoundary) {
   Mesh mesh = support::boxMesh({0, 0}, {1, 1});
   support::insert(mesh, {0.5, 0.5});
   const Mesh before = mesh;
-  EXPECT_FALSE(removeVertex(mesh, 0));
+  EXPECT_FALSE(removeVertex(mesh, 0_v));
   EXPECT_EQ(support::difference(mesh, before), "");
 }
 
@@ -87,9 +88,9 @@ TEST(RemoveVertex, StaysConstrainedDelaunayNextToBoundaries) {
     const MeshState state = support::after(support::domainFrom(json), Stage::step5);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       Mesh mesh = state.mesh;
-      std::vector<std::int32_t> inner;
-      for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-        if (mesh.vertexEdge[v] < 0 && mesh.vertexTriangle[v] >= 0) inner.push_back(static_cast<std::int32_t>(v));
+      std::vector<Vertex> inner;
+      for (const Vertex v : mesh.points.keys()) {
+        if (!mesh.vertexEdge[v].exists() && mesh.vertexTriangle[v].exists()) inner.push_back(v);
       }
       Random random{seed};
       for (std::size_t k = inner.size(); k > 0; --k) std::swap(inner[k - 1], inner[random.below(k)]);

@@ -59,9 +59,9 @@ TEST_P(RepairOf, EventsAreWhatHappened) {
     ASSERT_LE(events.size(), 2u);
     for (const Event& event : events) {
       EXPECT_EQ(event.rule, Rule::repair);
-      const std::uint32_t patient = event.kind == EventKind::edge_split ? event.other : event.subject;
-      const std::int32_t slot = slotOf(before.mesh, patient);
-      ASSERT_GE(slot, 0);
+      const TriangleId patient(event.kind == EventKind::edge_split ? event.other : event.subject);
+      const Slot slot = slotOf(before.mesh, patient);
+      ASSERT_TRUE(slot.exists());
       EXPECT_TRUE(breaksBound(before.mesh, slot)) << "nothing was wrong with triangle " << patient;
       switch (event.kind) {
         case EventKind::vertex_refused:
@@ -69,20 +69,20 @@ TEST_P(RepairOf, EventsAreWhatHappened) {
           EXPECT_EQ(support::trianglesOf(now.mesh), support::trianglesOf(before.mesh));
           break;
         case EventKind::vertex_moved:
-          EXPECT_EQ(before.mesh.points[event.vertex], event.from);
+          EXPECT_EQ(before.mesh.points[Vertex(event.vertex)], event.from);
           if (events.size() == 1) {
-            EXPECT_EQ(now.mesh.points[event.vertex], event.at);
+            EXPECT_EQ(now.mesh.points[Vertex(event.vertex)], event.at);
           }
           break;
         case EventKind::vertex_inserted:
         case EventKind::edge_split:
           EXPECT_GE(event.vertex, before.mesh.points.size());
           if (events.size() == 1) {
-            EXPECT_EQ(now.mesh.points[event.vertex], event.at);
+            EXPECT_EQ(now.mesh.points[Vertex(event.vertex)], event.at);
           }
           break;
         case EventKind::vertex_removed:
-          EXPECT_EQ(now.mesh.kinds[event.vertex], VertexKind::removed);
+          EXPECT_EQ(now.mesh.kinds[Vertex(event.vertex)], VertexKind::removed);
           break;
         default:
           ADD_FAILURE() << "repair cannot say '" << name(event.kind) << "'";

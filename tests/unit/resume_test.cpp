@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/mesh/edit.h"
+#include "support/ids.h"
 #include "support/random.h"
 #include "support/runs.h"
 
@@ -112,10 +113,10 @@ TEST_P(Resume, NumbersAndIdsAreNeverReused) {
   MeshState state = support::start(domain);
   Journal nobody;
   std::size_t vertices = 0;
-  std::uint32_t nextId = 0;
-  std::vector<std::uint8_t> removed;
-  std::vector<std::array<std::int32_t, 3>> cornersOf;  // of each id ever seen
-  std::vector<std::uint8_t> ended;                     // ids that were seen and are gone
+  TriangleId nextId{0};
+  Per<Vertex, std::uint8_t> removed;
+  Per<TriangleId, Corners<Vertex>> cornersOf;  // of each id ever seen
+  Per<TriangleId, std::uint8_t> ended;         // ids that were seen and are gone
   while (advance(state, Grain::decision, nobody)) {
     const Mesh& mesh = state.mesh;
     ASSERT_GE(mesh.points.size(), vertices);
@@ -123,29 +124,29 @@ TEST_P(Resume, NumbersAndIdsAreNeverReused) {
     vertices = mesh.points.size();
     nextId = mesh.nextId;
     removed.resize(vertices, 0);
-    for (std::size_t v = 0; v < vertices; ++v) {
+    for (const Vertex v : removed.keys()) {
       if (removed[v] != 0) {
         ASSERT_EQ(mesh.kinds[v], VertexKind::removed) << "vertex " << v << " came back";
       }
       removed[v] = mesh.kinds[v] == VertexKind::removed ? 1 : 0;
     }
-    cornersOf.resize(nextId, {-1, -1, -1});
-    ended.resize(nextId, 0);
-    std::vector<std::uint8_t> live(nextId, 0);
-    for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+    cornersOf.resize(nextId.n);
+    ended.resize(nextId.n, 0);
+    Per<TriangleId, std::uint8_t> live(nextId.n, 0);
+    for (const Slot slot : mesh.triangles.keys()) {
       if ((mesh.flags[slot] & kDead) != 0) continue;
-      const std::uint32_t id = mesh.ids[slot];
+      const TriangleId id = mesh.ids[slot];
       ASSERT_LT(id, nextId);
       ASSERT_EQ(live[id], 0) << "two triangles have the id " << id;
       ASSERT_EQ(ended[id], 0) << "triangle " << id << " came back";
       live[id] = 1;
       auto corners = mesh.triangles[slot].v;
-      std::ranges::sort(corners);
-      if (cornersOf[id][0] < 0) cornersOf[id] = corners;
+      std::ranges::sort(corners.at);
+      if (!cornersOf[id][0].exists()) cornersOf[id] = corners;
       ASSERT_EQ(corners, cornersOf[id]) << "triangle " << id << " became another";
     }
-    for (std::uint32_t id = 0; id < nextId; ++id) {
-      if (cornersOf[id][0] >= 0 && live[id] == 0) ended[id] = 1;
+    for (const TriangleId id : ended.keys()) {
+      if (cornersOf[id][0].exists() && live[id] == 0) ended[id] = 1;
     }
   }
   EXPECT_GT(vertices, 50u);

@@ -24,7 +24,7 @@ void expectSame(const RunningQuality& running, const Mesh& mesh, std::uint64_t t
   ASSERT_EQ(running.worst(Measure::min_angle), fresh.minAngle) << "tick " << tick;
   ASSERT_EQ(running.worst(Measure::max_angle), fresh.maxAngle) << "tick " << tick;
   ASSERT_DOUBLE_EQ(running.worst(Measure::area_ratio), fresh.areaRatioMax) << "tick " << tick;
-  const std::int32_t slot = running.worstSlot(Measure::aspect);
+  const Slot slot = running.worstSlot(Measure::aspect);
   ASSERT_EQ(measuresOf(mesh, slot)[0], fresh.aspectMax);
 }
 

@@ -20,11 +20,10 @@ std::pair<std::uint32_t, std::uint32_t> sorted(std::uint32_t a, std::uint32_t b)
 
 EdgeSet liveEdges(const Mesh& mesh) {
   EdgeSet edges;
-  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+  for (const Slot slot : mesh.triangles.keys()) {
     if (!mesh.alive(slot)) continue;
     for (int i = 0; i < 3; ++i) {
-      edges.insert(sorted(static_cast<std::uint32_t>(startOf(mesh, 3 * slot + i)),
-                          static_cast<std::uint32_t>(endOf(mesh, 3 * slot + i))));
+      edges.insert(sorted(startOf(mesh, halfOf(slot, i)).word(), endOf(mesh, halfOf(slot, i)).word()));
     }
   }
   return edges;
@@ -58,9 +57,9 @@ TEST(Scene, DrawsEveryTriangleAndEveryEdgeOnce) {
     const TriangleBatch& inner = scene.layer(LayerId::mesh).triangles.back();
     const auto helpers =
         std::count_if(state.mesh.triangles.begin(), state.mesh.triangles.end(), [&](const Triangle& t) {
-          const auto slot = static_cast<std::int32_t>(&t - state.mesh.triangles.data());
-          return state.mesh.alive(slot) && std::any_of(t.v.begin(), t.v.end(), [&](std::int32_t v) {
-                   return state.mesh.kinds[static_cast<std::size_t>(v)] == VertexKind::helper;
+          const Slot slot(&t - state.mesh.triangles.data());
+          return state.mesh.alive(slot) && std::any_of(t.v.begin(), t.v.end(), [&](Vertex v) {
+                   return state.mesh.kinds[v] == VertexKind::helper;
                  });
         });
     EXPECT_EQ(inner.triangles.size() + static_cast<std::size_t>(helpers), state.mesh.liveCount());
@@ -133,13 +132,13 @@ TEST(Scene, TheThreeCirclesHoldTheWorstTriangles) {
   const Scene scene = buildScene(state, {}, nullptr, &quality);
   const auto& circles = scene.layer(LayerId::worst).circles;
   ASSERT_EQ(circles.size(), 6u) << "each on a ring of background";
-  const std::array<std::int32_t, 3> slots{quality.aspectAt, quality.areaRatioAt, quality.edgeRatioAt};
+  const std::array<Slot, 3> slots{quality.aspectAt, quality.areaRatioAt, quality.edgeRatioAt};
   const std::array<Dash, 3> dashes{Dash::solid, Dash::dashed, Dash::dash_dotted};
   for (std::size_t i = 0; i < 3; ++i) {
     const Circle& circle = circles[2 * i + 1];
     EXPECT_EQ(circle.style.dash, dashes[i]);
     EXPECT_EQ(circles[2 * i].centre, circle.centre);
-    for (const std::int32_t v : triangleAt(state.mesh, slots[i]).v) {
+    for (const Vertex v : triangleAt(state.mesh, slots[i]).v) {
       EXPECT_LE(distance(pointOf(state.mesh, v), circle.centre), circle.radius);
     }
   }
@@ -166,10 +165,10 @@ TEST(Scene, ADecisionShowsTheEdgesThatItRemoved) {
     EdgeSet removed;
     std::set_difference(before.begin(), before.end(), now.begin(), now.end(), std::inserter(removed, removed.end()));
     Star star;
-    starOf(state.mesh, static_cast<std::int32_t>(made->vertex), star);
+    starOf(state.mesh, Vertex(made->vertex), star);
     EdgeSet drawn;
     for (const auto& edge : edgesBefore(state.mesh, rimVertices(state.mesh, star))) {
-      drawn.insert(sorted(static_cast<std::uint32_t>(edge[0]), static_cast<std::uint32_t>(edge[1])));
+      drawn.insert(sorted(edge[0].word(), edge[1].word()));
     }
     EXPECT_EQ(drawn.size(), removed.size());
     if (drawn == removed) ++same;  // four points on one circle leave a choice
@@ -221,11 +220,10 @@ TEST(Scene, BrushedAndObtuseTrianglesStandOut) {
   updateScene(scene, state, view, nullptr, &quality);
   ASSERT_NE(legendItem(scene, open), nullptr);
   int worst = 0;
-  for (std::size_t slot = 0; slot < state.mesh.triangles.size(); ++slot) {
+  for (const Slot slot : state.mesh.triangles.keys()) {
     const auto& v = state.mesh.triangles[slot].v;
-    const auto at = [&](std::size_t i) { return state.mesh.points[static_cast<std::size_t>(v[i])]; };
-    if (state.mesh.alive(static_cast<std::int32_t>(slot)) && qualityOf(at(0), at(1), at(2)).aspect >= view.brush.low)
-      ++worst;
+    const auto at = [&](std::size_t i) { return state.mesh.points[v[i]]; };
+    if (state.mesh.alive(slot) && qualityOf(at(0), at(1), at(2)).aspect >= view.brush.low) ++worst;
   }
   ASSERT_GE(worst, 1);
   EXPECT_EQ(legendItem(scene, open)->value, std::to_string(worst));

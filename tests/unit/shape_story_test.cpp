@@ -6,6 +6,7 @@
 #include "core/explain/life.h"
 #include "core/quality/quality.h"
 #include "core/words/vocabulary.h"
+#include "support/ids.h"
 #include "support/recorded.h"
 
 namespace triscope {
@@ -16,14 +17,14 @@ TEST(ShapeStory, EndsWithTheShapeThatTheTriangleHas) {
     const support::Recorded& run = support::runOf(sample);
     const Mesh& mesh = run.end.mesh;
     std::size_t moved = 0;
-    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh.triangles.size()); ++slot) {
+    for (const Slot slot : mesh.triangles.keys()) {
       if (!mesh.alive(slot)) continue;
-      const std::uint32_t id = idOf(mesh, slot);
-      const auto birth = birthOf(run.events, {Ref::Kind::triangle, id});
+      const TriangleId id = idOf(mesh, slot);
+      const auto birth = birthOf(run.events, {Ref::Kind::triangle, id.word()});
       ASSERT_TRUE(birth);
       const auto story = shapeStoryOf(run.events, *birth, *factsOf(mesh, id));
       ASSERT_TRUE(story) << id;
-      const Triangle& t = mesh.triangles[static_cast<std::size_t>(slot)];
+      const Triangle& t = mesh.triangles[slot];
       const double aspect = qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])).aspect;
       EXPECT_NEAR(story->moves.empty() ? story->atBirth : story->moves.back().after, aspect, 1e-9) << id;
       double is = story->atBirth;
@@ -42,18 +43,19 @@ TEST(ShapeStory, IsWhatTheMeshWasBeforeAndAfterEachMove) {
   const support::Recorded& run = support::runOf("l_shape");
   const Mesh& end = run.end.mesh;
   std::size_t looked = 0;
-  for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(end.triangles.size()); slot += 97) {
+  for (std::size_t n = 0; n < end.triangles.size(); n += 97) {
+    const Slot slot(n);
     if (!end.alive(slot)) continue;
-    const std::uint32_t id = idOf(end, slot);
-    const auto birth = birthOf(run.events, {Ref::Kind::triangle, id});
+    const TriangleId id = idOf(end, slot);
+    const auto birth = birthOf(run.events, {Ref::Kind::triangle, id.word()});
     const auto story = shapeStoryOf(run.events, *birth, *factsOf(end, id));
     ASSERT_TRUE(story);
     Journal nobody;
     const auto aspectAt = [&](std::uint64_t tick) {
       const MeshState then = run.history.seek(tick, nobody);
-      const std::int32_t there = slotOf(then.mesh, id);
-      EXPECT_GE(there, 0);
-      const Triangle& t = then.mesh.triangles[static_cast<std::size_t>(there)];
+      const Slot there = slotOf(then.mesh, id);
+      EXPECT_TRUE(there.exists());
+      const Triangle& t = then.mesh.triangles[there];
       return qualityOf(pointOf(then.mesh, t.v[0]), pointOf(then.mesh, t.v[1]), pointOf(then.mesh, t.v[2])).aspect;
     };
     EXPECT_NEAR(aspectAt(run.tickAt[*birth]), story->atBirth, 1e-9);

@@ -70,13 +70,10 @@ double verticesOf(const Mesh& mesh, VertexKind kind) {
 
 double trianglesWith(const Mesh& mesh, VertexKind kind) {
   double count = 0.0;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
+  for (const Slot slot : mesh.triangles.keys()) {
     if ((mesh.flags[slot] & kDead) != 0) continue;
-    const std::array<std::int32_t, 3>& v = mesh.triangles[slot].v;
-    count +=
-        std::any_of(v.begin(), v.end(), [&](std::int32_t k) { return mesh.kinds[static_cast<std::size_t>(k)] == kind; })
-            ? 1.0
-            : 0.0;
+    const Corners<Vertex>& v = mesh.triangles[slot].v;
+    count += std::any_of(v.begin(), v.end(), [&](Vertex k) { return mesh.kinds[k] == kind; }) ? 1.0 : 0.0;
   }
   return count;
 }
@@ -209,7 +206,7 @@ TEST_P(StageCaptions, EveryNumberIsTheState) {
     add(sum.moved, EventKind::vertex_moved);
     add(sum.removed, EventKind::vertex_removed);
     add(sum.refused, EventKind::vertex_refused, EventKind::vertex_kept);
-    const StageCounts& row = state.counts[static_cast<std::size_t>(before.stage)];
+    const StageCounts& row = state.counts[before.stage];
     EXPECT_EQ(row.decisions, sum.decisions) << infoOf(before.stage).name;
     EXPECT_EQ(row.inserted, sum.inserted) << infoOf(before.stage).name;
     EXPECT_EQ(row.moved, sum.moved) << infoOf(before.stage).name;

@@ -21,23 +21,25 @@
 namespace triscope {
 namespace {
 
+using support::operator""_v;
+
 constexpr double kTolerance = 1e-9;
 
-struct Corners {
+struct CornerPoints {
   Point a, b, c;
 };
 
-Corners cornersOf(const Mesh& mesh, std::int32_t slot) {
+CornerPoints cornersOf(const Mesh& mesh, Slot slot) {
   const auto& v = triangleAt(mesh, slot).v;
   return {pointOf(mesh, v[0]), pointOf(mesh, v[1]), pointOf(mesh, v[2])};
 }
 
-double shortest(const Corners& t) {
+double shortest(const CornerPoints& t) {
   return std::sqrt(std::min({squaredDistance(t.a, t.b), squaredDistance(t.b, t.c), squaredDistance(t.c, t.a)}));
 }
 
 // R = abc / (4 area).
-double circumradius(const Corners& t) {
+double circumradius(const CornerPoints& t) {
   const double area = 0.5 * cross(t.b - t.a, t.c - t.a);
   return distance(t.a, t.b) * distance(t.b, t.c) * distance(t.c, t.a) / (4.0 * area);
 }
@@ -49,8 +51,8 @@ struct Claim {
 };
 
 // What the paper asks of the triangle `slot` in this step; `other` is the adjacent triangle that the event names.
-std::optional<Claim> claimOf(const MeshState& state, Stage step, std::int32_t slot, std::int32_t other) {
-  const Corners t = cornersOf(state.mesh, slot);
+std::optional<Claim> claimOf(const MeshState& state, Stage step, Slot slot, Slot other) {
+  const CornerPoints t = cornersOf(state.mesh, slot);
   const Point centre = circumcentre(t.a, t.b, t.c);
   const double radius = circumradius(t);
   const auto h = [&](Point p) { return edgeLengthAt(state.tree, p); };
@@ -69,12 +71,12 @@ std::optional<Claim> claimOf(const MeshState& state, Stage step, std::int32_t sl
       return std::nullopt;
   }
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t across = oppositeOf(state.mesh, 3 * slot + i);
-    if (across < 0 || triangleOf(across) != other) continue;
+    const Half across = oppositeOf(state.mesh, halfOf(slot, i));
+    if (!across.exists() || triangleOf(across) != other) continue;
     const Point p1 = pointOf(state.mesh, startOf(state.mesh, across));
     const Point p3 = pointOf(state.mesh, endOf(state.mesh, across));
     const Point p2 = pointOf(state.mesh, apexOf(state.mesh, across));
-    const Point p4 = pointOf(state.mesh, apexOf(state.mesh, 3 * slot + i));
+    const Point p4 = pointOf(state.mesh, apexOf(state.mesh, halfOf(slot, i)));
     const Point p5 = midpoint(p1, p3);
     const double height = cross(p3 - p1, p2 - p1) / distance(p1, p3);
     // The point lies over the shared edge as high as the smaller triangle, on the larger one's side.
@@ -95,8 +97,8 @@ std::vector<double> edgeAnglesSeen(const Mesh& mesh, Point p) {
 }
 
 bool inSomeTriangle(const Mesh& mesh, Point p) {
-  return std::ranges::any_of(support::liveSlots(mesh), [&](std::int32_t slot) {
-    const Corners t = cornersOf(mesh, slot);
+  return std::ranges::any_of(support::liveSlots(mesh), [&](Slot slot) {
+    const CornerPoints t = cornersOf(mesh, slot);
     return orient2d(t.a, t.b, p) >= 0 && orient2d(t.b, t.c, p) >= 0 && orient2d(t.c, t.a, p) >= 0;
   });
 }
@@ -105,7 +107,7 @@ void expectRefusalIsTrue(const MeshState& before, const Event& event) {
   switch (event.refusal) {
     case Refusal::outside_domain: {
       // Outside, or behind a boundary edge as the triangle sees it.
-      const Corners t = cornersOf(before.mesh, slotOf(before.mesh, event.subject));
+      const CornerPoints t = cornersOf(before.mesh, slotOf(before.mesh, TriangleId(event.subject)));
       const Point from = (1.0 / 3.0) * (t.a + t.b + t.c);
       const bool crosses = std::ranges::any_of(before.mesh.edges, [&](const BoundaryEdge& edge) {
         const Point a = pointOf(before.mesh, edge.v0), b = pointOf(before.mesh, edge.v1);
@@ -122,10 +124,11 @@ void expectRefusalIsTrue(const MeshState& before, const Event& event) {
     }
     case Refusal::too_close: {
       double nearest = INFINITY;
-      for (std::size_t v = 0; v < before.mesh.points.size(); ++v) {
-        if (before.mesh.vertexTriangle[v] >= 0) nearest = std::min(nearest, distance(before.mesh.points[v], event.at));
+      for (const Vertex v : before.mesh.points.keys()) {
+        if (before.mesh.vertexTriangle[v].exists())
+          nearest = std::min(nearest, distance(before.mesh.points[v], event.at));
       }
-      const Corners small = cornersOf(before.mesh, slotOf(before.mesh, event.other));
+      const CornerPoints small = cornersOf(before.mesh, slotOf(before.mesh, TriangleId(event.other)));
       EXPECT_LT(nearest, shortest(small));
       break;
     }
@@ -137,24 +140,25 @@ void expectRefusalIsTrue(const MeshState& before, const Event& event) {
 void expectInserted(const MeshState& before, const MeshState& now, const Event& event) {
   ASSERT_EQ(event.vertex, before.mesh.points.size());
   ASSERT_EQ(now.mesh.points.size(), before.mesh.points.size() + 1);
-  const auto vertex = static_cast<std::int32_t>(event.vertex);
+  const Vertex vertex(event.vertex);
   EXPECT_EQ(pointOf(now.mesh, vertex), event.at);
-  EXPECT_EQ(now.mesh.kinds[at(vertex)], VertexKind::steiner);
-  EXPECT_EQ(now.mesh.density[at(vertex)], densityRankAt(now.tree, event.at));
+  EXPECT_EQ(now.mesh.kinds[vertex], VertexKind::steiner);
+  EXPECT_EQ(now.mesh.density[vertex], densityRankAt(now.tree, event.at));
   Star star;
   starOf(now.mesh, vertex, star);
   EXPECT_TRUE(star.closed);
   EXPECT_EQ(star.rim.size(), event.createdCount);
-  for (const std::int32_t rim : star.rim) {
-    const std::uint32_t id = idOf(now.mesh, triangleOf(rim));
+  for (const Half rim : star.rim) {
+    const std::uint32_t id = idOf(now.mesh, triangleOf(rim)).word();
     EXPECT_GE(id, event.created);
     EXPECT_LT(id, event.created + event.createdCount);
   }
   EXPECT_EQ(event.createdCount, event.removedCount + 2u);
   // Theorems 1 and 2: a circumcentre is at least R from every vertex, a point of step 5 at least e.
-  const double nearest =
-      event.rule == Rule::step5 ? shortest(cornersOf(before.mesh, slotOf(before.mesh, event.other))) : event.measured;
-  for (const std::int32_t rim : star.rim) {
+  const double nearest = event.rule == Rule::step5
+                             ? shortest(cornersOf(before.mesh, slotOf(before.mesh, TriangleId(event.other))))
+                             : event.measured;
+  for (const Half rim : star.rim) {
     EXPECT_GE(distance(event.at, pointOf(now.mesh, startOf(now.mesh, rim))), nearest * (1.0 - kTolerance));
   }
 }
@@ -182,15 +186,15 @@ TEST_P(Rules, EveryDecisionIsWhatItsEventSays) {
     const Event& event = events.front();
     EXPECT_EQ(static_cast<int>(event.rule) - static_cast<int>(Rule::step1),
               static_cast<int>(event.stage) - static_cast<int>(Stage::step1));
-    const std::int32_t slot = slotOf(before.mesh, event.subject);
-    ASSERT_GE(slot, 0) << "the triangle " << event.subject << " is not there";
+    const Slot slot = slotOf(before.mesh, TriangleId(event.subject));
+    ASSERT_TRUE(slot.exists()) << "the triangle " << event.subject << " is not there";
     const bool pair = event.rule == Rule::step4 || event.rule == Rule::step5;
     EXPECT_EQ(event.other != kNoId, pair);
-    const std::int32_t other = pair ? slotOf(before.mesh, event.other) : -1;
+    const Slot other = pair ? slotOf(before.mesh, TriangleId(event.other)) : Slot();
     if (pair) {
-      ASSERT_GE(other, 0);
+      ASSERT_TRUE(other.exists());
       EXPECT_TRUE(std::ranges::any_of(triangleAt(before.mesh, slot).adj,
-                                      [&](std::int32_t half) { return half >= 0 && triangleOf(half) == other; }));
+                                      [&](Half half) { return half.exists() && triangleOf(half) == other; }));
     }
     const std::optional<Claim> claim = claimOf(before, event.stage, slot, other);
     ASSERT_TRUE(claim.has_value());
@@ -230,14 +234,14 @@ TEST_P(Rules, NothingIsLeftForAStepButWhatItRefused) {
   std::vector<Event> events;
   Journal journal{&events};
   const auto expectNothingLeft = [&](Stage step) {
-    for (const std::int32_t slot : support::liveSlots(state.mesh)) {
+    for (const Slot slot : support::liveSlots(state.mesh)) {
       Proposal proposal;
       LeafPath path;
       if (!proposes(step, state, slot, path, proposal)) continue;
       EXPECT_TRUE(std::ranges::any_of(events,
                                       [&](const Event& e) {
                                         return e.kind == EventKind::vertex_refused && e.rule == ruleOf(step) &&
-                                               e.subject == idOf(state.mesh, slot);
+                                               e.subject == idOf(state.mesh, slot).word();
                                       }))
           << name(ruleOf(step)) << " overlooked triangle " << idOf(state.mesh, slot);
     }
@@ -260,7 +264,7 @@ TEST_P(Rules, QuietIsWhatNoRuleProposesFor) {
   support::eachDecision(state, Stage::repair, [&](const MeshState&, const MeshState& now, auto) {
     if (now.tick % 16 != 0) return;
     quiet = asked = 0;
-    for (const std::int32_t slot : support::liveSlots(now.mesh)) {
+    for (const Slot slot : support::liveSlots(now.mesh)) {
       const Quiet all = clearlyQuiet(now, slot);
       Proposal proposal;
       LeafPath path;
@@ -312,9 +316,9 @@ TEST(InsertionRules, NearTiesAreInserted) {
   }
   MeshState state;
   state.mesh = mesh;
-  const std::int32_t edge = findHalfEdge(mesh, 4, 5);
-  ASSERT_GE(edge, 0);
-  ASSERT_EQ(apexOf(mesh, edge), 6);
+  const Half edge = findHalfEdge(mesh, 4_v, 5_v);
+  ASSERT_TRUE(edge.exists());
+  ASSERT_EQ(apexOf(mesh, edge), 6_v);
   Proposal proposal;
   LeafPath path;
   EXPECT_TRUE(proposes(Stage::step3, state, triangleOf(edge), path, proposal));

@@ -22,7 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Domains, TrialOf, testing::Values(support::kRound, supp
 TEST_P(TrialOf, JudgesLikeTheWholeMeshAndTakesBack) {
   // After the fronts alone many bounds are broken.
   MeshState state = support::after(support::domainFrom(GetParam()), Stage::front2);
-  const std::vector<std::int32_t> live = support::liveSlots(state.mesh);
+  const std::vector<Slot> live = support::liveSlots(state.mesh);
   Random random{71};
   Trial trial;
   Patch patch;

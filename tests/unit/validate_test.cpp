@@ -6,9 +6,12 @@
 #include <algorithm>
 
 #include "core/mesh/edit.h"
+#include "support/ids.h"
 
 namespace triscope {
 namespace {
+
+using namespace support;
 
 /// The unit square about a middle vertex: four triangles, four boundary edges.
 //     3---2
@@ -18,11 +21,11 @@ Mesh square() {
   Mesh mesh;
   for (const Point p : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{0, 1}}) addVertex(mesh, p, VertexKind::kept, 1);
   addVertex(mesh, {0.5, 0.5}, VertexKind::steiner, 1);
-  for (std::int32_t i = 0; i < 4; ++i) addTriangle(mesh, i, (i + 1) % 4, 4);
+  for (std::int32_t i = 0; i < 4; ++i) addTriangle(mesh, Vertex(i), Vertex((i + 1) % 4), 4_v);
   for (std::int32_t i = 0; i < 4; ++i) {
-    link(mesh, 3 * i, 3 * ((i + 1) % 4) + 1);
-    setConstrained(mesh, 3 * i + 2, true);
-    addBoundaryEdge(mesh, {.v0 = i, .v1 = (i + 1) % 4});
+    link(mesh, halfOf(Slot(i), 0), halfOf(Slot((i + 1) % 4), 1));
+    setConstrained(mesh, halfOf(Slot(i), 2), true);
+    addBoundaryEdge(mesh, boundaryEdge(Vertex(i), Vertex((i + 1) % 4)));
   }
   return mesh;
 }
@@ -46,10 +49,10 @@ TEST(Validate, ASoundMeshHasNothingToReport) {
 
 TEST(Validate, AMeshWithFreedSlotsIsSound) {
   Mesh mesh = square();
-  const std::int32_t extra = addTriangle(mesh, 0, 1, 2);
+  const Slot extra = addTriangle(mesh, 0_v, 1_v, 2_v);
   killTriangle(mesh, extra);
-  for (std::int32_t i = 0; i < 4; ++i) mesh.vertexTriangle[at(i)] = i;
-  mesh.vertexTriangle[4] = 0;
+  for (std::int32_t i = 0; i < 4; ++i) mesh.vertexTriangle[Vertex(i)] = Slot(i);
+  mesh.vertexTriangle[4_v] = 0_slot;
   EXPECT_TRUE(validate(mesh).empty());
   mesh.freeSlots.clear();
   expectOnly(mesh, Broken::link, "1 slots are dead but 0 are listed");
@@ -57,38 +60,38 @@ TEST(Validate, AMeshWithFreedSlotsIsSound) {
 
 TEST(Validate, NamesALinkThatDoesNotPointBack) {
   Mesh mesh = square();
-  mesh.triangles[0].adj[0] = 3 * 2 + 1;
+  mesh.triangles[0_slot].adj[0] = halfOf(2_slot, 1);
   expectOnly(mesh, Broken::link, "triangle 2 does not point back");
 }
 
 TEST(Validate, NamesALinkAcrossAnotherEdge) {
   Mesh mesh = square();
-  link(mesh, 0, 3 * 2 + 1);
-  link(mesh, 3 * 2, 3 * 1 + 1);
+  link(mesh, halfOf(0_slot, 0), halfOf(2_slot, 1));
+  link(mesh, halfOf(2_slot, 0), halfOf(1_slot, 1));
   expectOnly(mesh, Broken::link, "instead");
 }
 
 TEST(Validate, NamesALinkToNowhere) {
   Mesh mesh = square();
-  mesh.triangles[0].adj[0] = 99;
+  mesh.triangles[0_slot].adj[0] = 99_half;
   expectOnly(mesh, Broken::link, "99 is no live triangle");
-  mesh.triangles[0].adj[0] = -7;
+  mesh.triangles[0_slot].adj[0] = Half(-7);
   expectOnly(mesh, Broken::link, "-7 is no live triangle");
 }
 
 TEST(Validate, NamesACornerThatIsNoVertex) {
   Mesh mesh = square();
-  mesh.triangles[1].v[0] = 77;
+  mesh.triangles[1_slot].v[0] = 77_v;
   expectOnly(mesh, Broken::link, "corner 77 is no vertex");
-  mesh.triangles[1].v[0] = 4;
+  mesh.triangles[1_slot].v[0] = 4_v;
   expectOnly(mesh, Broken::link, "are not three vertices");
 }
 
 TEST(Validate, NamesIdsThatAreTaken) {
   Mesh mesh = square();
-  mesh.ids[3] = 1;
+  mesh.ids[3_slot] = 1_id;
   expectOnly(mesh, Broken::link, "slot 1 has the same id");
-  mesh.ids[3] = 50;
+  mesh.ids[3_slot] = 50_id;
   expectOnly(mesh, Broken::link, "not below the next one");
 }
 
@@ -100,27 +103,27 @@ TEST(Validate, NamesArraysOfDifferentLength) {
 
 TEST(Validate, NamesClockwiseAndFlatTriangles) {
   Mesh mesh = square();
-  mesh.points[4] = {0.5, 0.0};
+  mesh.points[4_v] = {0.5, 0.0};
   auto found = validate(mesh);
   EXPECT_EQ(std::ranges::count(found, Broken::orientation, &Violation::what), 1);
-  mesh.points[4] = {0.5, -0x1p-70};
+  mesh.points[4_v] = {0.5, -0x1p-70};
   found = validate(mesh);
   ASSERT_EQ(std::ranges::count(found, Broken::orientation, &Violation::what), 1);
   const auto clockwise = std::ranges::find(found, Broken::orientation, &Violation::what);
   EXPECT_EQ(clockwise->message, "triangle 0: runs clockwise");
-  EXPECT_EQ(clockwise->triangle, 0);
+  EXPECT_EQ(clockwise->triangle, 0_slot);
 }
 
 /// Two triangles on the edge 0-1, vertex 3 on or near the circle of the other.
 Mesh kite(Point bottom) {
   Mesh mesh;
   for (const Point p : {Point{-1, 0}, Point{1, 0}, Point{0, 1}, bottom}) addVertex(mesh, p, VertexKind::kept, 1);
-  addTriangle(mesh, 0, 1, 2);
-  addTriangle(mesh, 1, 0, 3);
-  link(mesh, 2, 5);
-  for (const std::int32_t half : {0, 1, 3, 4}) {
+  addTriangle(mesh, 0_v, 1_v, 2_v);
+  addTriangle(mesh, 1_v, 0_v, 3_v);
+  link(mesh, 2_half, 5_half);
+  for (const Half half : {0_half, 1_half, 3_half, 4_half}) {
     setConstrained(mesh, half, true);
-    addBoundaryEdge(mesh, {.v0 = startOf(mesh, half), .v1 = endOf(mesh, half)});
+    addBoundaryEdge(mesh, boundaryEdge(startOf(mesh, half), endOf(mesh, half)));
   }
   return mesh;
 }
@@ -133,70 +136,70 @@ TEST(Validate, DelaunayIsDecidedByTheLastBit) {
 
 TEST(Validate, AConstrainedEdgeNeedNotBeDelaunay) {
   Mesh mesh = kite({0, -0.5});
-  setConstrained(mesh, 2, true);
-  setConstrained(mesh, 5, true);
-  addBoundaryEdge(mesh, {.v0 = 0, .v1 = 1});
+  setConstrained(mesh, 2_half, true);
+  setConstrained(mesh, 5_half, true);
+  addBoundaryEdge(mesh, boundaryEdge(0_v, 1_v));
   EXPECT_TRUE(validate(mesh).empty());
 }
 
 TEST(Validate, NamesAnEdgeConstrainedOnOneSide) {
   Mesh mesh = kite({0, -1.5});
-  setConstrained(mesh, 2, true);
-  addBoundaryEdge(mesh, {.v0 = 0, .v1 = 1});
+  setConstrained(mesh, 2_half, true);
+  addBoundaryEdge(mesh, boundaryEdge(0_v, 1_v));
   expectOnly(mesh, Broken::link, "constrained on one side only");
 }
 
 TEST(Validate, NamesABorderThatIsNoBoundary) {
   Mesh mesh = square();
-  mesh.flags[0] = 0;
+  mesh.flags[0_slot] = 0;
   expectOnly(mesh, Broken::boundary, "the mesh ends here");
   expectOnly(mesh, Broken::boundary, "no constrained edge of the mesh");
 }
 
 TEST(Validate, TheBoxAroundEverythingNeedsNoBoundary) {
   Mesh mesh = square();
-  for (std::size_t v = 0; v < 4; ++v) mesh.kinds[v] = VertexKind::helper;
+  for (std::size_t v = 0; v < 4; ++v) mesh.kinds[Vertex(v)] = VertexKind::helper;
   mesh.edges.clear();
-  std::ranges::fill(mesh.vertexEdge, -1);
+  std::ranges::fill(mesh.vertexEdge, EdgeId());
   std::ranges::fill(mesh.flags, std::uint8_t{0});
   EXPECT_TRUE(validate(mesh).empty());
 }
 
 TEST(Validate, NamesABoundaryEdgeThatTheMeshLacks) {
   Mesh mesh = square();
-  addBoundaryEdge(mesh, {.v0 = 0, .v1 = 2});
+  addBoundaryEdge(mesh, boundaryEdge(0_v, 2_v));
   expectOnly(mesh, Broken::boundary, "boundary edge 4 (0-2): no constrained edge of the mesh");
 }
 
 TEST(Validate, NamesABoundaryEdgeMissingFromAList) {
   Mesh mesh = square();
-  mesh.vertexEdge[2] = -1;
+  mesh.vertexEdge[2_v] = {};
   expectOnly(mesh, Broken::boundary, "missing from the list of vertex 2");
 }
 
 TEST(Validate, NamesAListThatRunsInACircle) {
   Mesh mesh = square();
-  mesh.edges[0].next0 = 0;
+  mesh.edges[0_edge].next0 = 0_edge;
   expectOnly(mesh, Broken::boundary, "runs in a circle");
 }
 
 TEST(Validate, NamesABoundaryEdgeThatIsThereTwice) {
   Mesh mesh = square();
-  addBoundaryEdge(mesh, {.v0 = 1, .v1 = 0});
+  addBoundaryEdge(mesh, boundaryEdge(1_v, 0_v));
   expectOnly(mesh, Broken::boundary, "boundary edge 0-1 is there twice");
 }
 
 TEST(Validate, NamesBoundaryEdgesWithoutVertices) {
   Mesh mesh = square();
-  mesh.edges.push_back({.v0 = 3, .v1 = 12});
+  mesh.edges.push_back(boundaryEdge(3_v, 12_v));
   expectOnly(mesh, Broken::boundary, "are not two vertices");
 }
 
 TEST(Validate, NamesAWrongVertexTriangle) {
   Mesh mesh = square();
-  mesh.vertexTriangle[0] = 1;
+  mesh.vertexTriangle[0_v] = 1_slot;
   expectOnly(mesh, Broken::vertex, "vertex 0: its triangle, slot 1, is not one around it");
-  mesh.vertexTriangle[0] = -1;
+  mesh.vertexTriangle[0_v] = {};
   expectOnly(mesh, Broken::vertex, "vertex 0");
 }
 
@@ -204,9 +207,9 @@ TEST(Validate, NamesAVertexWithoutTriangle) {
   Mesh mesh = square();
   addVertex(mesh, {3, 3}, VertexKind::front1, 1);
   expectOnly(mesh, Broken::vertex, "vertex 5: no triangle uses it");
-  mesh.kinds[5] = VertexKind::removed;
+  mesh.kinds[5_v] = VertexKind::removed;
   EXPECT_TRUE(validate(mesh).empty());
-  mesh.kinds[4] = VertexKind::removed;
+  mesh.kinds[4_v] = VertexKind::removed;
   expectOnly(mesh, Broken::vertex, "vertex 4: removed, but a triangle uses it");
 }
 
@@ -215,31 +218,31 @@ TEST(Validate, NamesAPointWherePartsOnlyTouch) {
   for (const Point p : {Point{0, 0}, Point{1, 0}, Point{1, 1}, Point{-1, 0}, Point{-1, -1}}) {
     addVertex(mesh, p, VertexKind::kept, 1);
   }
-  addTriangle(mesh, 0, 1, 2);
-  addTriangle(mesh, 0, 3, 4);
-  for (std::int32_t half = 0; half < 6; ++half) {
+  addTriangle(mesh, 0_v, 1_v, 2_v);
+  addTriangle(mesh, 0_v, 3_v, 4_v);
+  for (const Half half : halvesOf(mesh)) {
     setConstrained(mesh, half, true);
-    addBoundaryEdge(mesh, {.v0 = startOf(mesh, half), .v1 = endOf(mesh, half)});
+    addBoundaryEdge(mesh, boundaryEdge(startOf(mesh, half), endOf(mesh, half)));
   }
   expectOnly(mesh, Broken::vertex, "parts of the mesh meet only in this point");
 }
 
 TEST(Validate, NamesTwoVerticesAtOnePlace) {
   Mesh mesh = square();
-  const std::int32_t twin = addVertex(mesh, {1, 0}, VertexKind::kept, 1);
+  const Vertex twin = addVertex(mesh, {1, 0}, VertexKind::kept, 1);
   addVertex(mesh, {2, 0}, VertexKind::kept, 1);
   addVertex(mesh, {2, 1}, VertexKind::kept, 1);
-  addTriangle(mesh, twin, 6, 7);
-  for (const std::int32_t half : {12, 13, 14}) {
+  addTriangle(mesh, twin, 6_v, 7_v);
+  for (const Half half : {12_half, 13_half, 14_half}) {
     setConstrained(mesh, half, true);
-    addBoundaryEdge(mesh, {.v0 = startOf(mesh, half), .v1 = endOf(mesh, half)});
+    addBoundaryEdge(mesh, boundaryEdge(startOf(mesh, half), endOf(mesh, half)));
   }
   expectOnly(mesh, Broken::duplicate, "vertex 5: at the same place as vertex 1");
 }
 
 TEST(Validate, StopsAtTheLimit) {
   Mesh mesh = square();
-  std::ranges::fill(mesh.vertexTriangle, -1);
+  std::ranges::fill(mesh.vertexTriangle, Slot());
   EXPECT_EQ(validate(mesh).size(), 5u);
   EXPECT_EQ(validate(mesh, 2).size(), 2u);
 }

@@ -37,13 +37,13 @@ TEST_P(Validity, NothingIsBrokenInAGoodMesh) {
 }
 
 TEST_P(Validity, AMovedPointTurnsATriangleOver) {
-  const auto vertex = static_cast<std::size_t>(state.front1.front());
+  const Vertex vertex = state.front1.front();
   state.mesh.points[vertex] = state.mesh.points[vertex] + Point{100.0, 0.0};
   EXPECT_NE(brokenAfter(state, Stage::step5) & kOrientation, 0);
 }
 
 TEST_P(Validity, AMovedPointUndoesTheDelaunayProperty) {
-  const auto vertex = static_cast<std::size_t>(state.front1.front());
+  const Vertex vertex = state.front1.front();
   const double h = state.minEdge;
   int broken = 0;
   for (int k = 0; k < 40 && (broken & (kDelaunay | kOrientation)) == 0; ++k) {
@@ -72,10 +72,10 @@ TEST(ValidityOfTheQuadtree, ACellSplitTwiceIsOutOfBalance) {
   std::int32_t largest = -1;
   for (std::size_t k = 0; k < state.tree.cells.size(); ++k) {
     const Cell& cell = state.tree.cells[k];
-    if (cell.child < 0 && (largest < 0 || cell.rank > state.tree.cells[at(largest)].rank))
+    if (cell.child < 0 && (largest < 0 || cell.rank > state.tree.cells[static_cast<std::size_t>(largest)].rank))
       largest = static_cast<std::int32_t>(k);
   }
-  ASSERT_GE(state.tree.cells[at(largest)].rank, 3);
+  ASSERT_GE(state.tree.cells[static_cast<std::size_t>(largest)].rank, 3);
   EXPECT_EQ(brokenAfter(state, Stage::density), 0);
   splitCell(state.tree, splitCell(state.tree, largest));
   EXPECT_EQ(brokenAfter(state, Stage::density), kBalance);

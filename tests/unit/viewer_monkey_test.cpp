@@ -138,7 +138,7 @@ void look(Viewer& v) {
   EXPECT_FALSE(figuresOf(state, events, ref).empty());
   TriangleFacts facts;
   if (ref.kind == Ref::Kind::triangle) {
-    facts = factsOf(state.mesh, ref.id).value_or(TriangleFacts{});
+    facts = factsOf(state.mesh, TriangleId(ref.id)).value_or(TriangleFacts{});
     (void)whyNot(events, ref.id, facts);
   }
   if (ref.kind != Ref::Kind::event || ref.id < events.size()) {

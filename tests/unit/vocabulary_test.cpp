@@ -112,7 +112,7 @@ void listen(const support::DomainPtr& domain, const Settings& settings, Heard& h
 std::size_t countOf(Names what, const MeshState& state) {
   switch (what) {
     case Names::triangle:
-      return state.mesh.nextId;
+      return state.mesh.nextId.n;
     case Names::vertex:
       return state.mesh.points.size();
     case Names::cell:
@@ -184,7 +184,7 @@ TEST(Vocabulary, BreakpointsAndHistoryAgreeOnWhatIsAboutAnElement) {
       if (condition->holds({state, events[k], quality})) stops.push_back(k);
     EXPECT_EQ(stops, eventsAbout(Events(events), ref)) << word << " " << ref.id;
   };
-  for (std::uint32_t id = 0; id < state.mesh.nextId; id += state.mesh.nextId / 97)
+  for (std::uint32_t id = 0; id < state.mesh.nextId.n; id += state.mesh.nextId.n / 97)
     expectAlike("triangle", {Ref::Kind::triangle, id});
   for (std::uint32_t id = 0; id < state.mesh.points.size(); id += 211) expectAlike("vertex", {Ref::Kind::vertex, id});
   for (std::uint32_t id = 0; id < state.tree.cells.size(); id += 101) expectAlike("cell", {Ref::Kind::cell, id});

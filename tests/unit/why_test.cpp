@@ -95,7 +95,7 @@ TEST(Why, BirthIsFoundLikeByLookingAtEveryEvent) {
       }
       EXPECT_FALSE(birthOf(run.events, {kind, count}));
     };
-    check(Ref::Kind::triangle, run.end.mesh.nextId, 2);
+    check(Ref::Kind::triangle, run.end.mesh.nextId.n, 2);
     check(Ref::Kind::vertex, static_cast<std::uint32_t>(run.end.mesh.points.size()), 4);
     check(Ref::Kind::cell, static_cast<std::uint32_t>(run.end.tree.cells.size()), 1);
   }
@@ -133,8 +133,8 @@ TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
     const Event& e = run.events[k];
     if (e.rule != Rule::step3 || e.kind != EventKind::vertex_inserted) continue;
     const MeshState before = run.history.seek(run.tickAt[k] - 1, deaf);
-    const std::int32_t slot = slotOf(before.mesh, e.subject);
-    ASSERT_GE(slot, 0) << "event " << k;
+    const Slot slot = slotOf(before.mesh, TriangleId(e.subject));
+    ASSERT_TRUE(slot.exists()) << "event " << k;
     const Triangle& t = triangleAt(before.mesh, slot);
     const Point a = pointOf(before.mesh, t.v[0]), b = pointOf(before.mesh, t.v[1]), c = pointOf(before.mesh, t.v[2]);
     EXPECT_DOUBLE_EQ(e.measured, std::sqrt(circumcircle(a, b, c).squaredRadius));
@@ -150,14 +150,14 @@ TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
 TEST(Why, EveryTriangleIsExplained) {
   for (const char* const sample : kSamples) {
     const support::Recorded& run = support::runOf(sample);
-    for (std::size_t slot = 0; slot < run.end.mesh.triangles.size(); ++slot) {
-      if (!run.end.mesh.alive(static_cast<std::int32_t>(slot))) continue;
-      const Ref ref{Ref::Kind::triangle, run.end.mesh.ids[slot]};
+    for (const Slot slot : run.end.mesh.triangles.keys()) {
+      if (!run.end.mesh.alive(slot)) continue;
+      const Ref ref{Ref::Kind::triangle, run.end.mesh.ids[slot].word()};
       const auto birth = birthOf(run.events, ref);
       ASSERT_TRUE(birth) << sample << " " << nameOf(ref);
       expectRuleHolds(run.events[*birth]);
       expectLinksResolve(run, why(run.events, ref), ref);
-      const TriangleFacts facts = *factsOf(run.end.mesh, ref.id);
+      const TriangleFacts facts = *factsOf(run.end.mesh, TriangleId(ref.id));
       expectLinksResolve(run, whyNot(run.events, ref.id, facts), ref);
       expectLinksResolve(run, historyOf(run.events, ref, facts), ref);
     }
@@ -213,10 +213,9 @@ TEST(WhyNot, ARuleIsSilentExactlyWhereItsConditionDoesNotHold) {
     ASSERT_EQ(state.stage, Stage::refine);
     const Mesh& mesh = state.mesh;
     std::size_t silent = 0;
-    for (std::size_t s = 0; s < mesh.triangles.size(); ++s) {
-      const auto slot = static_cast<std::int32_t>(s);
+    for (const Slot slot : mesh.triangles.keys()) {
       if (!mesh.alive(slot)) continue;
-      for (const Line& line : whyNot(events, idOf(mesh, slot))) {
+      for (const Line& line : whyNot(events, idOf(mesh, slot).word())) {
         const std::string text = textOf(line);
         for (int step = 2; step <= 5; ++step) {
           const auto stage = static_cast<Stage>(static_cast<int>(Stage::step1) + step - 1);
@@ -269,13 +268,14 @@ TEST(Why, APackedLogGivesTheSameAnswers) {
   };
   std::size_t found = 0;
   for (const Ref::Kind kind : {Ref::Kind::vertex, Ref::Kind::triangle, Ref::Kind::cell}) {
-    for (std::uint32_t id = 0; id < run.end.mesh.nextId; id += 11) {
+    for (std::uint32_t id = 0; id < run.end.mesh.nextId.n; id += 11) {
       const Ref ref{kind, id};
       const std::vector<std::size_t> about = eventsAbout(log, ref);
       ASSERT_EQ(about, eventsAbout(run.events, ref)) << nameOf(ref);
       ASSERT_EQ(textsOf(why(log, ref)), textsOf(why(run.events, ref))) << nameOf(ref);
-      const TriangleFacts facts =
-          kind == Ref::Kind::triangle ? factsOf(run.end.mesh, id).value_or(TriangleFacts{}) : TriangleFacts{};
+      const TriangleFacts facts = kind == Ref::Kind::triangle
+                                      ? factsOf(run.end.mesh, TriangleId(id)).value_or(TriangleFacts{})
+                                      : TriangleFacts{};
       ASSERT_EQ(textsOf(historyOf(log, ref, facts)), textsOf(historyOf(run.events, ref, facts))) << nameOf(ref);
       if (kind == Ref::Kind::triangle) {
         ASSERT_EQ(textsOf(whyNot(log, id, facts)), textsOf(whyNot(run.events, id, facts))) << nameOf(ref);

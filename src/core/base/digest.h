@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/index.h"
 #include "core/base/point.h"
 
 namespace triscope {
@@ -32,6 +33,11 @@ struct Digest {
   void integers(const std::vector<T>& list) {
     word(list.size());
     for (const T v : list) word(static_cast<std::uint64_t>(v));
+  }
+  template <class Kind, class Word>
+  void integers(const std::vector<Index<Kind, Word>>& list) {
+    word(list.size());
+    for (const Index<Kind, Word> v : list) word(static_cast<std::uint64_t>(v.n));
   }
   void numbers(const std::vector<double>& list) {
     word(list.size());

@@ -23,7 +23,7 @@ std::string limitText(const WorstMeasure& worst) {
 }
 
 std::string excuseText(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
-  if (worst.met() || worst.slot < 0) return {};
+  if (worst.met() || !worst.slot.exists()) return {};
   std::optional<InputAngle> angle = smallInputAngle(mesh, worst.slot);
   if (!angle && worst.key == "area_ratio") angle = smallInputAngle(mesh, quality.areaRatioOther);
   if (!angle) return {};
@@ -34,7 +34,7 @@ std::string excuseText(const Mesh& mesh, const Quality& quality, const WorstMeas
 
 std::string unmetText(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
   std::string where = excuseText(mesh, quality, worst);
-  if (where.empty() && worst.slot >= 0) {
+  if (where.empty() && worst.slot.exists()) {
     const Point place = centroidOf(mesh, worst.slot);
     where = fmt::format("at ({:.6g}, {:.6g})", place.x, place.y);
   }

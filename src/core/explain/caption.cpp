@@ -36,10 +36,8 @@ Leaves leavesOf(const Quadtree& tree) {
 
 std::size_t atBox(const Mesh& mesh) {
   std::size_t count = 0;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const auto s = static_cast<std::int32_t>(slot);
-    if (mesh.alive(s) && touchesHelper(mesh, s)) ++count;
-  }
+  for (const Slot slot : mesh.triangles.keys())
+    if (mesh.alive(slot) && touchesHelper(mesh, slot)) ++count;
   return count;
 }
 

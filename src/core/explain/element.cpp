@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/index_text.h"
 #include "core/density/wanted.h"
 #include "core/explain/why.h"
 #include "core/mesh/edit.h"
@@ -26,9 +27,9 @@ constexpr std::array<std::string_view, 4> kCellTypes{"outside", "boundary", "adj
 
 std::string place(Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
-double areaOf(const Mesh& mesh, std::int32_t slot) { return 0.5 * std::fabs(twiceArea(mesh, slot)); }
+double areaOf(const Mesh& mesh, Slot slot) { return 0.5 * std::fabs(twiceArea(mesh, slot)); }
 
-std::vector<Line> ofTriangle(const Mesh& mesh, std::int32_t slot) {
+std::vector<Line> ofTriangle(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   const TriangleQuality q = qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
   std::vector<Line> lines{linked(fmt::format("Triangle {} joins vertices {}, {} and {} around {}.", idOf(mesh, slot),
@@ -39,8 +40,8 @@ std::vector<Line> ofTriangle(const Mesh& mesh, std::int32_t slot) {
                                              q.longest, q.edgeRatio)),
                           linked(fmt::format("Angles from {:.4g}° to {:.4g}°, {}; area {:.4g}.", q.minAngle, q.maxAngle,
                                              q.obtuse ? "obtuse" : "not obtuse", std::fabs(q.area)))};
-  for (const std::int32_t across : t.adj) {
-    if (across < 0) {
+  for (const Half across : t.adj) {
+    if (!across.exists()) {
       lines.push_back(linked("Beyond one edge lies the outside."));
       continue;
     }
@@ -52,19 +53,18 @@ std::vector<Line> ofTriangle(const Mesh& mesh, std::int32_t slot) {
   return lines;
 }
 
-std::vector<Line> ofVertex(const MeshState& state, std::int32_t vertex) {
+std::vector<Line> ofVertex(const MeshState& state, Vertex vertex) {
   const Mesh& mesh = state.mesh;
   const Point p = pointOf(mesh, vertex);
   std::vector<Line> lines{linked(fmt::format("Vertex {} at {}: {}.", vertex, place(p),
-                                             kVertexKinds[static_cast<std::size_t>(mesh.kinds[at(vertex)])]))};
+                                             kVertexKinds[static_cast<std::size_t>(mesh.kinds[vertex])]))};
   if (const std::optional<Wanted> wanted = wantedAt(state.tree, p))
     lines.push_back(linked(fmt::format("Edges of length h = {:.4g} are wanted here: density rank {}, in cell {}.",
                                        wanted->length, wanted->rank, wanted->cell)));
   Star star;
   starOf(mesh, vertex, star);
   std::string list;
-  for (const std::int32_t rim : star.rim)
-    list += fmt::format("{}{}", list.empty() ? "" : ", ", idOf(mesh, triangleOf(rim)));
+  for (const Half rim : star.rim) list += fmt::format("{}{}", list.empty() ? "" : ", ", idOf(mesh, triangleOf(rim)));
   if (!list.empty()) lines.push_back(linked(fmt::format("{} around it: triangles {}.", star.rim.size(), list)));
   return lines;
 }
@@ -89,10 +89,10 @@ std::vector<Line> figuresOf(const MeshState& state, Events events, Ref ref) {
   const Mesh& mesh = state.mesh;
   switch (ref.kind) {
     case Ref::Kind::triangle:
-      if (const std::int32_t slot = slotOf(mesh, ref.id); slot >= 0) return ofTriangle(mesh, slot);
+      if (const Slot slot = slotOf(mesh, TriangleId(ref.id)); slot.exists()) return ofTriangle(mesh, slot);
       break;
     case Ref::Kind::vertex:
-      if (ref.id < mesh.points.size()) return ofVertex(state, static_cast<std::int32_t>(ref.id));
+      if (ref.id < mesh.points.size()) return ofVertex(state, Vertex(ref.id));
       break;
     case Ref::Kind::cell:
       if (const Cell* const cell = cellOf(state.tree, ref.id)) return ofCell(state, *cell, ref.id);

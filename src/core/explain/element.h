@@ -22,8 +22,8 @@ struct WorstMeasure {
   std::string_view key;   // "aspect_ratio", as in reports
   double value;
   double bound;
-  bool upper;         // the value must be below the bound; above it otherwise
-  std::int32_t slot;  // -1 for an empty mesh
+  bool upper;  // the value must be below the bound; above it otherwise
+  Slot slot;   // -1 for an empty mesh
   [[nodiscard]] bool met() const { return upper ? value < bound : value > bound; }
 };
 /// Aspect ratio, area ratio, edge ratio, smallest and largest angle (degrees).

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "core/base/index_text.h"
 #include "core/explain/fields.h"
 #include "core/mesh/edit.h"
 #include "core/mesh/locate.h"
@@ -15,28 +16,28 @@ bool isStep(Rule rule) { return wordsOf(rule).family == Family::step; }
 
 /// Where the stage began to walk: at the candidate, at the vertex that a front's point stands off, or where the last
 /// insertion left off.
-std::int32_t startOfWalk(const Mesh& mesh, const Insertion& insertion) {
-  if (insertion.candidate >= 0) return insertion.candidate;
-  if (insertion.owner >= 0) return mesh.vertexTriangle[at(insertion.owner)];
+Slot startOfWalk(const Mesh& mesh, const Insertion& insertion) {
+  if (insertion.candidate.exists()) return insertion.candidate;
+  if (insertion.owner.exists()) return mesh.vertexTriangle[insertion.owner];
   return mesh.lastTriangle;
 }
 
-/// The boundary edge of Mesh::edges as a half-edge of the triangulation, -1 when that lacks it.
-std::int32_t halfOf(const Mesh& mesh, std::uint32_t edge) {
-  if (edge >= mesh.edges.size()) return -1;
+/// A boundary edge as a half-edge of the triangulation, none when that lacks it.
+Half halfAlong(const Mesh& mesh, EdgeId edge) {
+  if (!mesh.edges.has(edge)) return {};
   const BoundaryEdge& e = mesh.edges[edge];
-  const std::int32_t half = findHalfEdge(mesh, e.v0, e.v1);
-  return half >= 0 ? half : findHalfEdge(mesh, e.v1, e.v0);
+  const Half half = findHalfEdge(mesh, e.v0, e.v1);
+  return half.exists() ? half : findHalfEdge(mesh, e.v1, e.v0);
 }
 
 /// Step 5 measures from the middle of the edge shared with the other triangle to the candidate's apex.
 Measured overEdge(const Mesh& mesh, const Insertion& insertion) {
   const Event& event = insertion.event;
-  Measured measured{event.at, event.at, event.measured, event.limit, event.other};
+  Measured measured{event.at, event.at, event.measured, event.limit, TriangleId(event.other)};
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t half = 3 * insertion.candidate + i;
-    const std::int32_t across = oppositeOf(mesh, half);
-    if (across < 0 || idOf(mesh, triangleOf(across)) != event.other) continue;
+    const Half half = halfOf(insertion.candidate, i);
+    const Half across = oppositeOf(mesh, half);
+    if (!across.exists() || idOf(mesh, triangleOf(across)) != measured.limitFrom) continue;
     measured.from = midpoint(pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half)));
     measured.to = pointOf(mesh, apexOf(mesh, half));
   }
@@ -45,29 +46,29 @@ Measured overEdge(const Mesh& mesh, const Insertion& insertion) {
 
 std::optional<Measured> measuredBy(const Mesh& mesh, const Insertion& insertion) {
   const Event& event = insertion.event;
-  if (isStep(event.rule) && insertion.candidate >= 0) {
+  if (isStep(event.rule) && insertion.candidate.exists()) {
     if (event.rule == Rule::step5) return overEdge(mesh, insertion);
     const Point corner = pointOf(mesh, triangleAt(mesh, insertion.candidate).v[0]);
-    return Measured{event.at, corner, event.measured, event.limit, event.other};
+    return Measured{event.at, corner, event.measured, event.limit, TriangleId(event.other)};
   }
-  if (insertion.owner >= 0 && event.limit > 0.0)
-    return Measured{event.at, pointOf(mesh, insertion.owner), event.measured, event.limit, kNoId};
+  if (insertion.owner.exists() && event.limit > 0.0)
+    return Measured{event.at, pointOf(mesh, insertion.owner), event.measured, event.limit, {}};
   return std::nullopt;
 }
 
 std::string candidateCaption(const Insertion& insertion) {
   const Event& e = insertion.event;
-  if (insertion.splits >= 0)
+  if (insertion.splits.exists())
     return fmt::format("A boundary edge is to be split at {}, half way along its curve: {}.", shortPlace(insertion.at),
                        describe(e.rule));
   if (!insertion.measured)
     return fmt::format("A point is to go in at {}: {}.", shortPlace(insertion.at), describe(e.rule));
   const Measured& m = *insertion.measured;
-  if (insertion.owner >= 0)
+  if (insertion.owner.exists())
     return fmt::format(
         "A point off vertex {} is to go in at {}, {} away. No other vertex may be nearer to it than {} (dashed).",
         insertion.owner, shortPlace(insertion.at), shortNumber(m.length), shortNumber(m.limit));
-  const std::string other = m.limitFrom == kNoId ? std::string() : fmt::format(" of triangle {}", m.limitFrom);
+  const std::string other = !m.limitFrom.exists() ? std::string() : fmt::format(" of triangle {}", m.limitFrom);
   const std::string_view limit = wordsOf(e.rule).limit;
   if (e.rule == Rule::step5)
     return fmt::format(
@@ -82,8 +83,8 @@ std::string walkCaption(const Insertion& insertion, const Mesh& mesh) {
   if (insertion.walk.empty())
     return fmt::format("The point lies on the boundary edge itself, at {}: there is no way to look for.",
                        shortPlace(insertion.at));
-  const std::uint32_t first = idOf(mesh, insertion.walk.front());
-  const std::uint32_t last = idOf(mesh, insertion.walk.back());
+  const TriangleId first = idOf(mesh, insertion.walk.front());
+  const TriangleId last = idOf(mesh, insertion.walk.back());
   if (insertion.walk.size() == 1)
     return fmt::format("Triangle {} holds the point {} itself: the walk is over where it begins.", first,
                        shortPlace(insertion.at));
@@ -126,11 +127,12 @@ std::optional<Insertion> takeApart(const MeshState& before, const Event& event) 
   insertion.at = event.at;
   const bool split = event.kind == EventKind::edge_split;
   const bool front = wordsOf(event.rule).family == Family::front;
-  if (isStep(event.rule) || (event.rule == Rule::repair && !split)) insertion.candidate = slotOf(mesh, event.subject);
-  if (front && event.other != kNoId) insertion.owner = static_cast<std::int32_t>(event.other);
-  if (split && event.rule != Rule::recover_edge) insertion.splits = halfOf(mesh, event.subject);
+  if (isStep(event.rule) || (event.rule == Rule::repair && !split))
+    insertion.candidate = slotOf(mesh, TriangleId(event.subject));
+  if (front && event.other != kNoId) insertion.owner = Vertex(event.other);
+  if (split && event.rule != Rule::recover_edge) insertion.splits = halfAlong(mesh, EdgeId(event.subject));
   insertion.measured = measuredBy(mesh, insertion);
-  if (insertion.splits >= 0) {
+  if (insertion.splits.exists()) {
     findSplitCavity(mesh, insertion.at, insertion.splits, insertion.cavity);
     return insertion;
   }

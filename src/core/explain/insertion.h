@@ -23,17 +23,17 @@ struct Measured {
   Point to;  // where the measured length ends
   double length = 0.0;
   double limit = 0.0;
-  std::uint32_t limitFrom = kNoId;  // triangle that the limit was taken from, when it is another one
+  TriangleId limitFrom;  // triangle that the limit was taken from, when it is another one
 };
 
 struct Insertion {
-  Event event;                  // that it was recorded as
-  Point at;                     // the new vertex
-  std::int32_t candidate = -1;  // slot of the triangle that the point was proposed for, -1 when there is none
-  std::int32_t owner = -1;      // vertex that a front's point stands off
-  std::int32_t splits = -1;     // half-edge on the boundary that the point splits
+  Event event;     // that it was recorded as
+  Point at;        // the new vertex
+  Slot candidate;  // triangle that the point was proposed for, if any
+  Vertex owner;    // vertex that a front's point stands off
+  Half splits;     // half-edge on the boundary that the point splits
   std::optional<Measured> measured;
-  std::vector<std::int32_t> walk;  // slots from the start to the one that holds the point; empty for a split
+  std::vector<Slot> walk;  // from the start to the one that holds the point; empty for a split
   Cavity cavity;
 };
 

@@ -18,39 +18,37 @@ const Keyframe& lastKeyframe(const History& history, std::uint64_t end, Test tes
   return history.before(low);
 }
 
-bool has(const Mesh& mesh, std::int32_t slot, std::uint32_t triangle) {
-  return mesh.alive(slot) && idOf(mesh, slot) == triangle;
-}
+bool has(const Mesh& mesh, Slot slot, TriangleId triangle) { return mesh.alive(slot) && idOf(mesh, slot) == triangle; }
 
 }  // namespace
 
-std::optional<TriangleFacts> factsOf(const Mesh& mesh, std::uint32_t triangle) {
-  const std::int32_t slot = slotOf(mesh, triangle);
-  if (slot < 0) return std::nullopt;
+std::optional<TriangleFacts> factsOf(const Mesh& mesh, TriangleId triangle) {
+  const Slot slot = slotOf(mesh, triangle);
+  if (!slot.exists()) return std::nullopt;
   TriangleFacts facts;
-  for (std::size_t i = 0; i < 3; ++i) facts.corners[i] = static_cast<std::uint32_t>(triangleAt(mesh, slot).v[i]);
+  for (std::size_t i = 0; i < 3; ++i) facts.corners[i] = triangleAt(mesh, slot).v[i].word();
   return facts;
 }
 
-TriangleFacts factsOf(const History& history, std::uint64_t end, Events events, std::uint32_t triangle) {
+TriangleFacts factsOf(const History& history, std::uint64_t end, Events events, TriangleId triangle) {
   TriangleFacts facts;
-  const std::optional<std::size_t> birth = birthOf(events, {Ref::Kind::triangle, triangle});
-  if (!birth && triangle > 1) return facts;
+  const std::optional<std::size_t> birth = birthOf(events, {Ref::Kind::triangle, triangle.n});
+  if (!birth && triangle.n > 1) return facts;
   // Keyframes before its birth pass too: the search ends at the last that has it, or the last before its birth.
   const Keyframe& keyframe = lastKeyframe(history, end, [&](const Keyframe& k) {
-    return (birth && k.events <= *birth) || k.state.mesh.nextId <= triangle || slotOf(k.state.mesh, triangle) >= 0;
+    return (birth && k.events <= *birth) || k.state.mesh.nextId <= triangle || slotOf(k.state.mesh, triangle).exists();
   });
   MeshState state = history.stateBefore(keyframe.state.tick);
   std::vector<Event> replayed;
   Journal journal{&replayed};
-  std::int32_t slot = slotOf(state.mesh, triangle);
+  Slot slot = slotOf(state.mesh, triangle);
   for (;;) {
-    if (slot < 0 && state.mesh.nextId > triangle) {
+    if (!slot.exists() && state.mesh.nextId > triangle) {
       slot = slotOf(state.mesh, triangle);
       // A decision of two edits can make a triangle and end it: then the mesh never shows it between two decisions.
-      if (slot < 0) break;
+      if (!slot.exists()) break;
     }
-    if (slot >= 0) {
+    if (slot.exists()) {
       if (!has(state.mesh, slot, triangle)) {
         facts.death = static_cast<std::size_t>(keyframe.events) + replayed.size() - 1;
         break;

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kRounding = 1.0 - 1e-9;  // an edge meant to be as long as was asked may come out this much shorter
 
-std::int32_t shortestEdgeOf(const Mesh& mesh, std::int32_t slot) {
-  std::int32_t shortest = 3 * slot;
-  for (std::int32_t half = 3 * slot; half < 3 * slot + 3; ++half) {
-    const auto squaredLength = [&](std::int32_t h) {
+Half shortestEdgeOf(const Mesh& mesh, Slot slot) {
+  Half shortest = halfOf(slot, 0);
+  for (Half half = halfOf(slot, 0); half < halfOf(slot, 3); ++half) {
+    const auto squaredLength = [&](Half h) {
       return squaredDistance(pointOf(mesh, startOf(mesh, h)), pointOf(mesh, endOf(mesh, h)));
     };
     if (squaredLength(half) < squaredLength(shortest)) shortest = half;
@@ -22,7 +22,7 @@ std::int32_t shortestEdgeOf(const Mesh& mesh, std::int32_t slot) {
 }
 
 /// The boundary edge between two vertices, null when there is none.
-const BoundaryEdge* boundaryEdgeBetween(const Mesh& mesh, std::int32_t a, std::int32_t b) {
+const BoundaryEdge* boundaryEdgeBetween(const Mesh& mesh, Vertex a, Vertex b) {
   for (const BoundaryEdge& edge : mesh.edges)
     if ((edge.v0 == a && edge.v1 == b) || (edge.v0 == b && edge.v1 == a)) return &edge;
   return nullptr;
@@ -31,10 +31,10 @@ const BoundaryEdge* boundaryEdgeBetween(const Mesh& mesh, std::int32_t a, std::i
 }  // namespace
 
 std::string undercutText(const MeshState& state, const Quality& quality) {
-  if (state.minEdgeDerived || quality.minEdgeAt < 0 || quality.minEdge >= kRounding * state.minEdge) return {};
+  if (state.minEdgeDerived || !quality.minEdgeAt.exists() || quality.minEdge >= kRounding * state.minEdge) return {};
   const Mesh& mesh = state.mesh;
-  const std::int32_t half = shortestEdgeOf(mesh, quality.minEdgeAt);
-  const std::int32_t a = startOf(mesh, half), b = endOf(mesh, half);
+  const Half half = shortestEdgeOf(mesh, quality.minEdgeAt);
+  const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
   const Point middle = midpoint(pointOf(mesh, a), pointOf(mesh, b));
   const BoundaryEdge* const edge = boundaryEdgeBetween(mesh, a, b);
   const std::string why = edge != nullptr

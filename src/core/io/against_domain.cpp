@@ -7,6 +7,7 @@
 #include <string>
 #include <tuple>
 
+#include "core/base/index_text.h"
 #include "core/base/shown_text.h"
 #include "core/geometry/expansion.h"
 #include "core/mesh/edit.h"
@@ -52,10 +53,10 @@ class DomainCheck {
     spacing_ = 0x1p-52 * reach;
     tolerance_ = std::max(kTolerance * size, 4.0 * spacing_);
     onBoundary_.assign(mesh.points.size(), 0);
-    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-      if (mesh.vertexTriangle[v] >= 0) byPlace_.push_back(static_cast<std::int32_t>(v));
+    for (const Vertex v : mesh.points.keys()) {
+      if (mesh.vertexTriangle[v].exists()) byPlace_.push_back(v);
     }
-    std::sort(byPlace_.begin(), byPlace_.end(), [&](std::int32_t a, std::int32_t b) { return place(a) < place(b); });
+    std::sort(byPlace_.begin(), byPlace_.end(), [&](Vertex a, Vertex b) { return place(a) < place(b); });
   }
 
   std::vector<Violation> run() {
@@ -72,36 +73,36 @@ class DomainCheck {
   }
 
  private:
-  [[nodiscard]] std::tuple<double, double> place(std::int32_t v) const {
+  [[nodiscard]] std::tuple<double, double> place(Vertex v) const {
     const Point p = pointOf(mesh_, v);
     return {p.x + 0.0, p.y + 0.0};
   }
-  void add(std::optional<Point> at, std::int32_t vertex, std::string message) {
-    if (found_.size() < limit_) found_.push_back({Broken::domain, -1, vertex, at, std::move(message)});
+  void add(std::optional<Point> at, Vertex vertex, std::string message) {
+    if (found_.size() < limit_) found_.push_back({Broken::domain, {}, vertex, at, std::move(message)});
   }
 
-  [[nodiscard]] std::int32_t vertexAt(Point p) const {
+  [[nodiscard]] Vertex vertexAt(Point p) const {
     const std::tuple<double, double> wanted{p.x + 0.0, p.y + 0.0};
     const auto found = std::lower_bound(byPlace_.begin(), byPlace_.end(), wanted,
-                                        [&](std::int32_t v, const auto& key) { return place(v) < key; });
-    return found != byPlace_.end() && place(*found) == wanted ? *found : -1;
+                                        [&](Vertex v, const auto& key) { return place(v) < key; });
+    return found != byPlace_.end() && place(*found) == wanted ? *found : Vertex();
   }
 
   void checkCurve(const Loop& loop, std::uint32_t index) {
     const Curve& curve = domain_.curves[loop.firstCurve + index];
-    const std::int32_t first = vertexAt(curve.a), last = vertexAt(curve.b);
-    if (first < 0) {
-      add(curve.a, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index, shown(loop.name)));
+    const Vertex first = vertexAt(curve.a), last = vertexAt(curve.b);
+    if (!first.exists()) {
+      add(curve.a, {}, fmt::format("point {} of loop '{}' is no vertex of the mesh", index, shown(loop.name)));
     }
     // The end of a chain starts no other curve.
-    if (last < 0 && loop.role == LoopRole::chain && index + 1 == loop.curveCount) {
-      add(curve.b, -1, fmt::format("point {} of loop '{}' is no vertex of the mesh", index + 1, shown(loop.name)));
+    if (!last.exists() && loop.role == LoopRole::chain && index + 1 == loop.curveCount) {
+      add(curve.b, {}, fmt::format("point {} of loop '{}' is no vertex of the mesh", index + 1, shown(loop.name)));
     }
-    if (first < 0 || last < 0 || curve.kind != CurveKind::line) return;
-    for (std::int32_t v = first; v != last;) {
-      onBoundary_[at(v)] = 1;
-      const std::int32_t next = nextAlong(curve, v, last);
-      if (next < 0) {
+    if (!first.exists() || !last.exists() || curve.kind != CurveKind::line) return;
+    for (Vertex v = first; v != last;) {
+      onBoundary_[v] = 1;
+      const Vertex next = nextAlong(curve, v, last);
+      if (!next.exists()) {
         add(pointOf(mesh_, v), v,
             fmt::format("after point {} of loop '{}', no edge of the mesh follows the boundary from vertex {}", index,
                         shown(loop.name), v));
@@ -109,19 +110,19 @@ class DomainCheck {
       }
       v = next;
     }
-    onBoundary_[at(last)] = 1;
+    onBoundary_[last] = 1;
   }
 
-  /// The neighbour of v that lies on the straight curve and is next toward its end, -1 when there is none.
-  std::int32_t nextAlong(const Curve& curve, std::int32_t v, std::int32_t last) {
+  /// The neighbour of v that lies on the straight curve and is next toward its end, if any.
+  Vertex nextAlong(const Curve& curve, Vertex v, Vertex last) {
     const Point along = curve.b - curve.a;
     const double span = length(along);
     const double here = dot(pointOf(mesh_, v) - curve.a, along);
     double nearest = dot(along, along) * (1.0 + kTolerance);
-    std::int32_t best = -1;
+    Vertex best;
     starOf(mesh_, v, star_);
-    for (const std::int32_t half : star_.rim) {
-      for (const std::int32_t other : {startOf(mesh_, half), endOf(mesh_, half)}) {
+    for (const Half half : star_.rim) {
+      for (const Vertex other : {startOf(mesh_, half), endOf(mesh_, half)}) {
         if (other == last && findsEnd(curve, v)) return last;
         const Point offset = pointOf(mesh_, other) - curve.a;
         const double there = dot(offset, along);
@@ -133,15 +134,15 @@ class DomainCheck {
     return best;
   }
   /// The end of the curve itself counts whatever rounding says, unless v lies past it.
-  [[nodiscard]] bool findsEnd(const Curve& curve, std::int32_t v) const {
+  [[nodiscard]] bool findsEnd(const Curve& curve, Vertex v) const {
     return dot(curve.b - pointOf(mesh_, v), curve.b - curve.a) > 0.0;
   }
 
   void checkBorders() {
-    for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh_.triangles.size()); ++half) {
-      if (!mesh_.alive(triangleOf(half)) || oppositeOf(mesh_, half) >= 0) continue;
-      const std::int32_t v = startOf(mesh_, half);
-      if (onBoundary_[at(v)] != 0) continue;
+    for (const Half half : halvesOf(mesh_)) {
+      if (!mesh_.alive(triangleOf(half)) || oppositeOf(mesh_, half).exists()) continue;
+      const Vertex v = startOf(mesh_, half);
+      if (onBoundary_[v] != 0) continue;
       add(pointOf(mesh_, v), v, fmt::format("vertex {}: the mesh ends here, but not at the domain's boundary", v));
     }
   }
@@ -157,14 +158,15 @@ class DomainCheck {
         perimeter += distance(curve.a, curve.b);
       }
     }
-    for (std::int32_t slot = 0; slot < static_cast<std::int32_t>(mesh_.triangles.size()); ++slot) {
+    for (const Slot slot : mesh_.triangles.keys()) {
       if (!mesh_.alive(slot)) continue;
       for (int i = 0; i < 3; ++i)
-        addEdge(triangles, pointOf(mesh_, startOf(mesh_, 3 * slot + i)), pointOf(mesh_, endOf(mesh_, 3 * slot + i)));
+        addEdge(triangles, pointOf(mesh_, startOf(mesh_, halfOf(slot, i))),
+                pointOf(mesh_, endOf(mesh_, halfOf(slot, i))));
     }
     const double wanted = 0.5 * polygon.value(), found = 0.5 * triangles.value();
     if (!(std::fabs(found - wanted) <= std::max(kTolerance * wanted, spacing_ * perimeter))) {
-      add({}, -1,
+      add({}, {},
           fmt::format("the mesh has the area {:.10g}, the domain {:.10g}: they differ by {:.1e} of it", found, wanted,
                       std::fabs(found - wanted) / wanted));
     }
@@ -173,10 +175,10 @@ class DomainCheck {
   const Mesh& mesh_;
   const Domain& domain_;
   std::size_t limit_;
-  double spacing_ = 0.0;               // of coordinates where they are largest
-  double tolerance_ = 0.0;             // distance from a line within which a point is on it
-  std::vector<std::int32_t> byPlace_;  // vertices in use, by x then y
-  std::vector<char> onBoundary_;       // per vertex: met on a straight piece
+  double spacing_ = 0.0;          // of coordinates where they are largest
+  double tolerance_ = 0.0;        // distance from a line within which a point is on it
+  std::vector<Vertex> byPlace_;   // vertices in use, by x then y
+  Per<Vertex, char> onBoundary_;  // met on a straight piece
   Star star_;
   std::vector<Violation> found_;
 };

@@ -18,7 +18,7 @@ namespace {
 /// line that passes no vertex.
 std::optional<Point> insideOf(const MeshFile& file, std::span<const MeshFile::Edge> edges) {
   std::vector<double> levels;
-  for (const MeshFile::Edge& edge : edges) levels.push_back(file.points[at(edge.a)].y);
+  for (const MeshFile::Edge& edge : edges) levels.push_back(file.points[static_cast<std::size_t>(edge.a)].y);
   std::sort(levels.begin(), levels.end());
   double widestGap = 0.0;
   double level = 0.0;
@@ -30,7 +30,7 @@ std::optional<Point> insideOf(const MeshFile& file, std::span<const MeshFile::Ed
   }
   std::vector<double> crossings;
   for (const MeshFile::Edge& edge : edges) {
-    const Point a = file.points[at(edge.a)], b = file.points[at(edge.b)];
+    const Point a = file.points[static_cast<std::size_t>(edge.a)], b = file.points[static_cast<std::size_t>(edge.b)];
     if ((a.y > level) == (b.y > level)) continue;
     crossings.push_back(a.x + (level - a.y) / (b.y - a.y) * (b.x - a.x));
   }
@@ -46,19 +46,19 @@ std::optional<Point> insideOf(const MeshFile& file, std::span<const MeshFile::Ed
   return inside;
 }
 
-void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFile& file) {
+void exportEdges(const MeshState& state, const Per<Vertex, int>& number, MeshFile& file) {
   const Domain& domain = *state.domain;
   for (const Loop& loop : domain.loops) file.groups.push_back(loop.name);
   std::vector<BoundaryEdge> edges;
   for (const BoundaryEdge& edge : state.mesh.edges) {
-    if (number[at(edge.v0)] >= 0 && number[at(edge.v1)] >= 0) edges.push_back(edge);
+    if (number[edge.v0] >= 0 && number[edge.v1] >= 0) edges.push_back(edge);
   }
   std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& x, const BoundaryEdge& y) {
     return std::tie(x.curve, x.t0, x.v0, x.v1) < std::tie(y.curve, y.t0, y.v0, y.v1);
   });
   for (const BoundaryEdge& edge : edges) {
     const auto group = static_cast<int>(&loopOf(domain, edge.curve) - domain.loops.data());
-    file.edges.push_back({number[at(edge.v0)], number[at(edge.v1)], group});
+    file.edges.push_back({number[edge.v0], number[edge.v1], group});
   }
   const EdgeGroups groups(file);
   for (std::size_t loop = 0; loop < domain.loops.size(); ++loop) {
@@ -68,23 +68,21 @@ void exportEdges(const MeshState& state, const std::vector<int>& number, MeshFil
 }
 
 /// The triangles to be written, by id. Ids are dense enough that putting each in its place beats sorting.
-std::vector<std::int32_t> slotsById(const Mesh& mesh) {
-  std::vector<std::int32_t> slots(mesh.nextId, -1);
+std::vector<Slot> slotsById(const Mesh& mesh) {
+  Per<TriangleId, Slot> slots(mesh.nextId.n);
   const InsideBox inside(mesh);
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const auto index = static_cast<std::int32_t>(slot);
-    if (inside.has(index)) slots[idOf(mesh, index)] = index;
-  }
-  std::erase(slots, -1);
+  for (const Slot slot : mesh.triangles.keys())
+    if (inside.has(slot)) slots[idOf(mesh, slot)] = slot;
+  std::erase(slots, Slot());
   return slots;
 }
 
-void exportFields(const Mesh& mesh, const std::vector<std::int32_t>& order, MeshFile& file) {
+void exportFields(const Mesh& mesh, const std::vector<Slot>& order, MeshFile& file) {
   file.fields = {{"id", {}},         {"aspect", {}},    {"area_ratio", {}},
                  {"edge_ratio", {}}, {"min_angle", {}}, {"max_angle", {}}};
   for (MeshFile::Field& field : file.fields) field.values.reserve(order.size());
-  for (const std::int32_t slot : order) {
-    file.fields.front().values.push_back(static_cast<double>(idOf(mesh, slot)));
+  for (const Slot slot : order) {
+    file.fields.front().values.push_back(static_cast<double>(idOf(mesh, slot).n));
     const MeasureValues values = measuresOf(mesh, slot);
     for (std::size_t i = 0; i < values.size(); ++i) file.fields[i + 1].values.push_back(values[i]);
   }
@@ -96,19 +94,19 @@ MeshFile exportMesh(const MeshState& state, Fields fields) {
   const Mesh& mesh = state.mesh;
   MeshFile file;
 
-  const std::vector<std::int32_t> order = slotsById(mesh);
-  std::vector<int> number(mesh.points.size(), -1);
-  for (const std::int32_t slot : order)
-    for (const std::int32_t v : triangleAt(mesh, slot).v) number[at(v)] = 0;
-  for (std::size_t v = 0; v < number.size(); ++v) {
+  const std::vector<Slot> order = slotsById(mesh);
+  Per<Vertex, int> number(mesh.points.size(), -1);
+  for (const Slot slot : order)
+    for (const Vertex v : triangleAt(mesh, slot).v) number[v] = 0;
+  for (const Vertex v : number.keys()) {
     if (number[v] < 0) continue;
     number[v] = static_cast<int>(file.points.size());
     file.points.push_back(mesh.points[v]);
   }
   file.triangles.reserve(order.size());
-  for (const std::int32_t slot : order) {
+  for (const Slot slot : order) {
     const auto& v = triangleAt(mesh, slot).v;
-    file.triangles.push_back({number[at(v[0])], number[at(v[1])], number[at(v[2])]});
+    file.triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
   }
   if (fields == Fields::yes) exportFields(mesh, order, file);
   if (state.domain != nullptr) exportEdges(state, number, file);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/base/index_text.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
 
@@ -13,9 +14,9 @@ namespace {
 
 /// A half-edge under the undirected edge it belongs to.
 struct EdgeSide {
-  std::int32_t low;
-  std::int32_t high;
-  std::int32_t half;
+  Vertex low;
+  Vertex high;
+  Half half;
   bool operator<(const EdgeSide& other) const {
     return std::tie(low, high, half) < std::tie(other.low, other.high, other.half);
   }
@@ -68,16 +69,17 @@ Result<Mesh> meshFrom(const MeshFile& file, std::vector<std::string>* notes) {
   std::size_t turned = 0;
   std::vector<EdgeSide> sides;
   sides.reserve(3 * file.triangles.size());
-  for (const auto& t : file.triangles) {
+  for (const auto& corners : file.triangles) {
+    const Corners<Vertex> t{Vertex(corners[0]), Vertex(corners[1]), Vertex(corners[2])};
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) {
       return badMesh(fmt::format("triangle {} has the corners {}, {}, {}", mesh.triangles.size(), t[0], t[1], t[2]),
                      "a triangle needs three points: remove it", pointOf(mesh, t[0]));
     }
     const bool clockwise = orient2d(pointOf(mesh, t[0]), pointOf(mesh, t[1]), pointOf(mesh, t[2])) < 0;
     turned += clockwise ? 1u : 0u;
-    const std::int32_t slot = addTriangle(mesh, t[0], t[clockwise ? 2 : 1], t[clockwise ? 1 : 2]);
-    for (std::int32_t half = 3 * slot; half < 3 * slot + 3; ++half) {
-      const std::int32_t a = startOf(mesh, half), b = endOf(mesh, half);
+    const Slot slot = addTriangle(mesh, t[0], t[clockwise ? 2 : 1], t[clockwise ? 1 : 2]);
+    for (Half half = halfOf(slot, 0); half < halfOf(slot, 3); ++half) {
+      const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
       sides.push_back({std::min(a, b), std::max(a, b), half});
     }
   }
@@ -85,29 +87,29 @@ Result<Mesh> meshFrom(const MeshFile& file, std::vector<std::string>* notes) {
   if (Status linked = linkSides(mesh, sides); !linked) return linked.error();
 
   std::size_t missing = 0;
-  const auto makeBoundary = [&](std::int32_t half, std::int32_t v0, std::int32_t v1, std::uint32_t group) {
+  const auto makeBoundary = [&](Half half, Vertex v0, Vertex v1, std::uint32_t group) {
     if (constrained(mesh, half)) return;
     setConstrained(mesh, half, true);
-    if (oppositeOf(mesh, half) >= 0) setConstrained(mesh, oppositeOf(mesh, half), true);
-    addBoundaryEdge(mesh, {.v0 = v0, .v1 = v1, .curve = group});
-    for (const std::int32_t v : {v0, v1}) mesh.kinds[at(v)] = VertexKind::boundary;
+    if (oppositeOf(mesh, half).exists()) setConstrained(mesh, oppositeOf(mesh, half), true);
+    addBoundaryEdge(mesh, {.v0 = v0, .v1 = v1, .curve = group, .next0 = {}, .next1 = {}});
+    for (const Vertex v : {v0, v1}) mesh.kinds[v] = VertexKind::boundary;
   };
   for (const MeshFile::Edge& edge : file.edges) {
-    const std::int32_t low = std::min(edge.a, edge.b), high = std::max(edge.a, edge.b);
-    const auto side = std::lower_bound(sides.begin(), sides.end(), EdgeSide{low, high, -1});
+    const Vertex low(std::min(edge.a, edge.b)), high(std::max(edge.a, edge.b));
+    const auto side = std::lower_bound(sides.begin(), sides.end(), EdgeSide{low, high, {}});
     if (side == sides.end() || side->low != low || side->high != high) {
       ++missing;
     } else {
-      makeBoundary(side->half, edge.a, edge.b, static_cast<std::uint32_t>(edge.group));
+      makeBoundary(side->half, Vertex(edge.a), Vertex(edge.b), static_cast<std::uint32_t>(edge.group));
     }
   }
-  for (std::int32_t half = 0; half < static_cast<std::int32_t>(3 * mesh.triangles.size()); ++half) {
-    if (oppositeOf(mesh, half) >= 0) continue;
+  for (const Half half : halvesOf(mesh)) {
+    if (oppositeOf(mesh, half).exists()) continue;
     makeBoundary(half, startOf(mesh, half), endOf(mesh, half), static_cast<std::uint32_t>(file.groups.size()));
   }
   std::size_t unused = 0;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.vertexTriangle[v] >= 0) continue;
+  for (const Vertex v : mesh.points.keys()) {
+    if (mesh.vertexTriangle[v].exists()) continue;
     mesh.kinds[v] = VertexKind::removed;
     ++unused;
   }

@@ -1,5 +1,6 @@
 #include "core/io/report.h"
 
+#include "core/base/index_text.h"
 #include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/method/pipeline.h"
@@ -38,8 +39,8 @@ void addMeasures(ObjectText& out, const Quality& q) {
 
 void addVerdict(ObjectText& out, const Mesh& mesh, const Quality& q) {
   ObjectText worst(2);
-  const auto addWorst = [&](std::string_view key, std::int32_t slot) {
-    worst.add(key, slot < 0 ? std::string("null") : fmt::format("{}", idOf(mesh, slot)));
+  const auto addWorst = [&](std::string_view key, Slot slot) {
+    worst.add(key, !slot.exists() ? std::string("null") : fmt::format("{}", idOf(mesh, slot)));
   };
   addWorst("aspect_ratio", q.aspectAt);
   addWorst("area_ratio", q.areaRatioAt);

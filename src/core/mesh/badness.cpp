@@ -16,7 +16,7 @@ struct Measures {
   double longest = 0.0;
 };
 
-Measures measuresOf(const Mesh& mesh, std::int32_t slot) {
+Measures measuresOf(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   const Point a = pointOf(mesh, t.v[0]), b = pointOf(mesh, t.v[1]), c = pointOf(mesh, t.v[2]);
   double l = squaredDistance(a, b), m = squaredDistance(b, c), n = squaredDistance(c, a);
@@ -43,17 +43,9 @@ double areaRatio(double l, double r) {
   return small > 0.0 ? std::max(l, r) / small : 1e300;
 }
 
-}  // namespace
-
-bool isObtuse(Point a, Point b, Point c) {
-  return dot(b - a, c - a) < 0.0 || dot(a - b, c - b) < 0.0 || dot(a - c, b - c) < 0.0;
-}
-
-namespace {
-
 // `counted(other)`: whether the pair with that neighbour is counted from its other side.
 template <class Counted>
-void add(Badness& badness, const Mesh& mesh, std::int32_t slot, const Counted& counted) {
+void add(Badness& badness, const Mesh& mesh, Slot slot, const Counted& counted) {
   const Measures m = measuresOf(mesh, slot);
   badness.shortest = std::min(badness.shortest, m.shortest);
   badness.worst = std::max(badness.worst, aspect(m));
@@ -65,9 +57,9 @@ void add(Badness& badness, const Mesh& mesh, std::int32_t slot, const Counted& c
     ++badness.broken;
     badness.excess += std::min(radius, 1e6);
   }
-  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-    if (across < 0) continue;
-    const std::int32_t other = triangleOf(across);
+  for (const Half across : triangleAt(mesh, slot).adj) {
+    if (!across.exists()) continue;
+    const Slot other = triangleOf(across);
     const double ratio = areaRatio(m.area, twiceArea(mesh, other));
     badness.areaRatio = std::max(badness.areaRatio, ratio);
     if (ratio < kAreaRatio || counted(other)) continue;
@@ -78,24 +70,23 @@ void add(Badness& badness, const Mesh& mesh, std::int32_t slot, const Counted& c
 
 }  // namespace
 
-Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
+Badness badnessOf(const Mesh& mesh, const std::vector<Slot>& slots) {
   Badness badness;
-  for (const std::int32_t slot : slots) {
+  for (const Slot slot : slots) {
     // A pair inside the region is seen from both sides: count it from the lower slot.
-    add(badness, mesh, slot, [&](std::int32_t other) {
-      return other < slot && std::find(slots.begin(), slots.end(), other) != slots.end();
-    });
+    add(badness, mesh, slot,
+        [&](Slot other) { return other < slot && std::find(slots.begin(), slots.end(), other) != slots.end(); });
   }
   return badness;
 }
 
-Badness badnessOf(const Mesh& mesh, std::int32_t slot) {
+Badness badnessOf(const Mesh& mesh, Slot slot) {
   Badness badness;
-  add(badness, mesh, slot, [](std::int32_t) { return false; });
+  add(badness, mesh, slot, [](Slot) { return false; });
   return badness;
 }
 
-Breach breachOf(const Mesh& mesh, std::int32_t slot) {
+Breach breachOf(const Mesh& mesh, Slot slot) {
   const Measures m = measuresOf(mesh, slot);
   Breach breach;
   breach.shortest = m.shortest;
@@ -107,8 +98,8 @@ Breach breachOf(const Mesh& mesh, std::int32_t slot) {
       breach.excess += std::min(radius, 1e6);
     }
   }
-  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-    if (across < 0 || triangleOf(across) < slot) continue;
+  for (const Half across : triangleAt(mesh, slot).adj) {
+    if (!across.exists() || triangleOf(across) < slot) continue;
     const double other = twiceArea(mesh, triangleOf(across));
     if (std::max(m.area, other) < 0.99 * kAreaRatio * std::min(m.area, other)) continue;
     const double ratio = areaRatio(m.area, other);
@@ -119,11 +110,11 @@ Breach breachOf(const Mesh& mesh, std::int32_t slot) {
   return breach;
 }
 
-bool breaksBound(const Mesh& mesh, std::int32_t slot) {
+bool breaksBound(const Mesh& mesh, Slot slot) {
   const Measures m = measuresOf(mesh, slot);
   if (radiusOverEdge(m) >= 1.0 - kBoundMargin) return true;
-  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-    if (across >= 0 && areaRatio(m.area, twiceArea(mesh, triangleOf(across))) >= kAreaRatio) return true;
+  for (const Half across : triangleAt(mesh, slot).adj) {
+    if (across.exists() && areaRatio(m.area, twiceArea(mesh, triangleOf(across))) >= kAreaRatio) return true;
   }
   return false;
 }

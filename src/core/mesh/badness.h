@@ -22,8 +22,8 @@ struct Badness {
 };
 
 /// Over the given live slots, and the pairs that at least one of them is in.
-Badness badnessOf(const Mesh& mesh, const std::vector<std::int32_t>& slots);
-Badness badnessOf(const Mesh& mesh, std::int32_t slot);
+Badness badnessOf(const Mesh& mesh, const std::vector<Slot>& slots);
+Badness badnessOf(const Mesh& mesh, Slot slot);
 
 /// What one triangle adds to the badness of a mesh that is looked at whole: with a neighbour it breaks the bound on
 /// area ratio when its slot is the lower of the two.
@@ -32,12 +32,9 @@ struct Breach {
   double excess = 0.0;
   double shortest = 1e300;  // of its edges, squared
 };
-Breach breachOf(const Mesh& mesh, std::int32_t slot);
+Breach breachOf(const Mesh& mesh, Slot slot);
 
 /// True when the triangle breaks the bound on angles, or with a neighbour the bound on area ratio.
-bool breaksBound(const Mesh& mesh, std::int32_t slot);
-
-/// Exact enough: an angle above 90° by the squared lengths of the edges.
-bool isObtuse(Point a, Point b, Point c);
+bool breaksBound(const Mesh& mesh, Slot slot);
 
 }  // namespace triscope

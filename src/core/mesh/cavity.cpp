@@ -15,8 +15,8 @@ constexpr std::size_t kFirstCapacity = 64;
 // Each triangle found brings one vertex and turns one edge into two, so that this is room enough for all lists.
 void makeRoom(Cavity& cavity, std::size_t triangles) {
   constexpr std::size_t kMargin = 8;  // vertices and edges of the first two triangles, and where the rim ends
-  std::vector<std::int32_t> slots(triangles + kMargin);
-  const std::span<const std::int32_t> found = cavity.triangles();
+  std::vector<Slot> slots(triangles + kMargin);
+  const std::span<const Slot> found = cavity.triangles();
   std::copy(found.begin(), found.end(), slots.begin() + static_cast<std::ptrdiff_t>(triangles - found.size()));
   cavity.slots.swap(slots);
   cavity.capacity = triangles;
@@ -25,7 +25,7 @@ void makeRoom(Cavity& cavity, std::size_t triangles) {
   cavity.open.resize(triangles + kMargin);
 }
 
-Cavity::Sight sightOf(const Mesh& mesh, std::int32_t vertex, Point p) {
+Cavity::Sight sightOf(const Mesh& mesh, Vertex vertex, Point p) {
   const Point q = pointOf(mesh, vertex);
   const double x = q.x - p.x, y = q.y - p.y;
   return {x, y, x * x + y * y, vertex};
@@ -34,9 +34,9 @@ Cavity::Sight sightOf(const Mesh& mesh, std::int32_t vertex, Point p) {
 double twiceAreaSeen(const Cavity::Sight& from, const Cavity::Sight& to) { return from.x * to.y - to.x * from.y; }
 
 // What lies beyond edge i of a triangle, as in Cavity::RimEdge.
-std::int32_t beyond(const Triangle& t, std::int32_t slot, std::uint8_t flags, int i) {
-  const std::int32_t across = t.adj[static_cast<std::size_t>(i)];
-  return across < 0 || (flags >> i & 1) != 0 ? -2 - (3 * slot + i) : across;
+std::int32_t beyond(const Triangle& t, Slot slot, std::uint8_t flags, int i) {
+  const Half across = t.adj[i];
+  return !across.exists() || (flags >> i & 1) != 0 ? -2 - halfOf(slot, i).n : across.n;
 }
 
 // Same as half / 3 of a half-edge, which is never negative: the compiler does not know.
@@ -52,20 +52,19 @@ void begin(Cavity& cavity, Point p) {
   cavity.sightCount = 0;
 }
 
-std::int32_t look(const Mesh& mesh, Cavity& cavity, std::int32_t vertex) {
+std::int32_t look(const Mesh& mesh, Cavity& cavity, Vertex vertex) {
   const Cavity::Sight sight = sightOf(mesh, vertex, cavity.at);
   cavity.nearest = std::min(cavity.nearest, sight.squaredDistance);
   cavity.sights[cavity.sightCount] = sight;
   return static_cast<std::int32_t>(cavity.sightCount++);
 }
 
-Cavity::Open openEdge(const Mesh& mesh, const Cavity& cavity, std::int32_t slot, int i, std::int32_t from,
-                      std::int32_t to) {
-  return {from, to, beyond(triangleAt(mesh, slot), slot, mesh.flags[at(slot)], i),
-          twiceAreaSeen(cavity.sights[at(from)], cavity.sights[at(to)])};
+Cavity::Open openEdge(const Mesh& mesh, const Cavity& cavity, Slot slot, int i, std::int32_t from, std::int32_t to) {
+  return {from, to, beyond(triangleAt(mesh, slot), slot, mesh.flags[slot], i),
+          twiceAreaSeen(cavity.sights[static_cast<std::size_t>(from)], cavity.sights[static_cast<std::size_t>(to)])};
 }
 
-void take(Cavity& cavity, std::int32_t slot) {
+void take(Cavity& cavity, Slot slot) {
   if (cavity.triangleCount == cavity.capacity) makeRoom(cavity, 2 * cavity.capacity);
   cavity.slots[cavity.capacity - ++cavity.triangleCount] = slot;
 }
@@ -83,7 +82,7 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
   const Point* const points = mesh.points.data();
   std::uint8_t* const flags = mesh.flags.data();
   const Point p = cavity.at;
-  std::int32_t* slots = cavity.slots.data();
+  Slot* slots = cavity.slots.data();
   Cavity::RimEdge* edges = cavity.edges.data();
   Cavity::Sight* sights = cavity.sights.data();
   Cavity::Open* open = cavity.open.data();
@@ -115,13 +114,13 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
       const std::int32_t slot = thirdOf(across);
       const int corner = across - 3 * slot;
       const Triangle& t = all[slot];
-      const std::int32_t apex = t.v[static_cast<std::size_t>(corner)];
-      const double x = points[apex].x - p.x, y = points[apex].y - p.y;
+      const Vertex apex = t.v[corner];
+      const double x = points[apex.n].x - p.x, y = points[apex.n].y - p.y;
       const double squared = x * x + y * y;
       const double bc = bx * y - x * by;
       const double ca = x * ay - ax * y;
       int inside = incircleSeen(area, bc, ca, aSquared, bSquared, squared);
-      if (inside == 0) inside = detail::incircleExact(points[t.v[0]], points[t.v[1]], points[t.v[2]], p);
+      if (inside == 0) inside = detail::incircleExact(points[t.v[0].n], points[t.v[1].n], points[t.v[2].n], p);
       if (inside > 0 && (!kMarks || (flags[slot] & kInCavity) == 0)) {
         if (count == capacity) {
           TRISCOPE_CHECK(count <= mesh.triangles.size(), "a cavity has no more triangles than the mesh");
@@ -134,15 +133,15 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
           open = cavity.open.data();
         }
         const int before = prev3(corner), after = next3(corner);
-        std::int32_t acrossBefore = t.adj[static_cast<std::size_t>(before)];
-        std::int32_t acrossAfter = t.adj[static_cast<std::size_t>(after)];
+        std::int32_t acrossBefore = t.adj[before].n;
+        std::int32_t acrossAfter = t.adj[after].n;
         const std::uint8_t bits = flags[slot];
         if ((bits & kConstrainedAll) != 0 || (acrossBefore | acrossAfter) < 0) {
-          acrossBefore = beyond(t, slot, bits, before);
-          acrossAfter = beyond(t, slot, bits, after);
+          acrossBefore = beyond(t, Slot(slot), bits, before);
+          acrossAfter = beyond(t, Slot(slot), bits, after);
         }
         if constexpr (kMarks) flags[slot] = bits | kInCavity;
-        slots[capacity - ++count] = slot;
+        slots[capacity - ++count] = Slot(slot);
         nearest = std::min(nearest, squared);
         sights[sightCount] = {x, y, squared, apex};
         open[depth++] = {sightCount, to, acrossBefore, -bc};
@@ -170,33 +169,34 @@ void grow(Mesh& mesh, Cavity& cavity, std::size_t depth) {
 }
 
 void unmark(Mesh& mesh, const Cavity& cavity) {
-  for (const std::int32_t slot : cavity.triangles()) mesh.flags[at(slot)] &= static_cast<std::uint8_t>(~kInCavity);
+  for (const Slot slot : cavity.triangles()) mesh.flags[slot] &= static_cast<std::uint8_t>(~kInCavity);
 }
 
 }  // namespace
 
-std::int32_t halfEdgeOf(const Mesh& mesh, const Cavity::RimEdge& edge) {
-  return edge.isWall() ? edge.wall() : oppositeOf(mesh, edge.across);
+Half halfEdgeOf(const Mesh& mesh, const Cavity::RimEdge& edge) {
+  return edge.isWall() ? edge.wall() : oppositeOf(mesh, Half(edge.across));
 }
 
-void findCavity(Mesh& mesh, Point p, std::int32_t start, Cavity& cavity) {
+void findCavity(Mesh& mesh, Point p, Slot start, Cavity& cavity) {
   begin(cavity, p);
-  for (const std::int32_t vertex : triangleAt(mesh, start).v) look(mesh, cavity, vertex);
-  for (int i = 0; i < 3; ++i) cavity.open[at(2 - i)] = openEdge(mesh, cavity, start, i, next3(i), prev3(i));
+  for (const Vertex vertex : triangleAt(mesh, start).v) look(mesh, cavity, vertex);
+  for (int i = 0; i < 3; ++i)
+    cavity.open[static_cast<std::size_t>(2 - i)] = openEdge(mesh, cavity, start, i, next3(i), prev3(i));
   take(cavity, start);
   grow<false>(mesh, cavity, 3);
 }
 
-bool findSplitCavity(Mesh& mesh, Point p, std::int32_t edge, Cavity& cavity) {
+bool findSplitCavity(Mesh& mesh, Point p, Half edge, Cavity& cavity) {
   begin(cavity, p);
-  const std::int32_t other = oppositeOf(mesh, edge);
-  for (const std::int32_t side : {edge, other})
-    if (side >= 0) mesh.flags[at(triangleOf(side))] |= kInCavity;
+  const Half other = oppositeOf(mesh, edge);
+  for (const Half side : {edge, other})
+    if (side.exists()) mesh.flags[triangleOf(side)] |= kInCavity;
   std::int32_t from = look(mesh, cavity, startOf(mesh, edge));
   std::int32_t to = look(mesh, cavity, endOf(mesh, edge));
-  for (const std::int32_t side : {edge, other}) {
-    if (side < 0) continue;
-    const std::int32_t slot = triangleOf(side);
+  for (const Half side : {edge, other}) {
+    if (!side.exists()) continue;
+    const Slot slot = triangleOf(side);
     const int i = cornerOf(side);
     const std::int32_t apex = look(mesh, cavity, apexOf(mesh, side));
     take(cavity, slot);
@@ -220,7 +220,7 @@ namespace {
 
 // Puts the slots that the fan needs beyond those of the cavity behind them: the one freed last, or new ones.
 void takeSlots(Mesh& mesh, Cavity& cavity) {
-  std::int32_t* const more = cavity.slots.data() + cavity.capacity;
+  Slot* const more = cavity.slots.data() + cavity.capacity;
   TRISCOPE_CHECK(cavity.triangleCount > 0 && cavity.rimCount > cavity.triangleCount &&
                      cavity.capacity + cavity.rimCount - cavity.triangleCount < cavity.slots.size(),
                  "a cavity has one or two edges around it more than it has triangles");
@@ -233,46 +233,46 @@ void takeSlots(Mesh& mesh, Cavity& cavity) {
 void readWalls(const Mesh& mesh, Cavity& cavity) {
   for (std::size_t k = 0; k < cavity.rimCount; ++k) {
     Cavity::RimEdge& edge = cavity.edges[k];
-    if (edge.isWall()) edge.across = constrained(mesh, edge.wall()) ? -3 - oppositeOf(mesh, edge.wall()) : -1;
+    if (edge.isWall()) edge.across = constrained(mesh, edge.wall()) ? -3 - oppositeOf(mesh, edge.wall()).n : -1;
   }
 }
 
 // Hangs a fan around a new vertex. Its ends are joined where the rim is closed. Returns the new vertex.
-std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density) {
-  const std::int32_t vertex = addVertex(mesh, cavity.at, kind, density);
+Vertex fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density) {
+  const Vertex vertex = addVertex(mesh, cavity.at, kind, density);
   if (cavity.walled) readWalls(mesh, cavity);
   takeSlots(mesh, cavity);
   Triangle* const all = mesh.triangles.data();
-  std::uint32_t* const ids = mesh.ids.data();
+  TriangleId* const ids = mesh.ids.data();
   std::uint8_t* const flags = mesh.flags.data();
   std::uint8_t* const tested = mesh.tested.data();
-  std::int32_t* const triangleAround = mesh.vertexTriangle.data();
+  Slot* const triangleAround = mesh.vertexTriangle.data();
   const Cavity::RimEdge* const edges = cavity.edges.data();
-  std::int32_t* const slots = cavity.slots.data() + (cavity.capacity - cavity.triangleCount);
+  Slot* const slots = cavity.slots.data() + (cavity.capacity - cavity.triangleCount);
   const std::size_t n = cavity.rimCount;
   const bool closed = cavity.closed();
-  std::uint32_t id = mesh.nextId;
+  TriangleId id = mesh.nextId;
   slots[n] = slots[0];
-  std::int32_t before = closed ? 3 * slots[n - 1] + 1 : -1;
+  Half before = closed ? halfOf(slots[n - 1], 1) : Half();
   for (std::size_t k = 0; k < n; ++k) {
-    const std::int32_t slot = slots[k];
+    const Slot slot = slots[k];
     const bool wall = edges[k].across < -1;
-    const std::int32_t across = wall ? -3 - edges[k].across : edges[k].across;
-    if (across >= 0) {
-      const std::int32_t other = thirdOf(across);
-      all[other].adj[static_cast<std::size_t>(across - 3 * other)] = 3 * slot;
+    const Half across(wall ? -3 - edges[k].across : edges[k].across);
+    if (across.exists()) {
+      const std::int32_t other = thirdOf(across.n);
+      all[other].adj[across.n - 3 * other] = halfOf(slot, 0);
       tested[other] = 0;
     }
-    all[slot] = {{vertex, edges[k].vertex, edges[k + 1].vertex}, {across, 3 * slots[k + 1] + 2, before}};
-    ids[slot] = id++;
-    flags[slot] = wall ? kConstrained0 : 0;
-    tested[slot] = 0;
-    triangleAround[edges[k].vertex] = slot;
-    before = 3 * slot + 1;
+    all[slot.n] = {{vertex, edges[k].vertex, edges[k + 1].vertex}, {across, halfOf(slots[k + 1], 2), before}};
+    ids[slot.n] = id++;
+    flags[slot.n] = wall ? kConstrained0 : 0;
+    tested[slot.n] = 0;
+    triangleAround[edges[k].vertex.n] = slot;
+    before = halfOf(slot, 1);
   }
-  if (!closed) all[slots[n - 1]].adj[1] = -1;
-  triangleAround[edges[n].vertex] = slots[n - 1];
-  triangleAround[vertex] = slots[n - 1];
+  if (!closed) all[slots[n - 1].n].adj[1] = {};
+  triangleAround[edges[n].vertex.n] = slots[n - 1];
+  triangleAround[vertex.n] = slots[n - 1];
   mesh.nextId = id;
   mesh.lastTriangle = slots[n - 1];
   noteTouched(mesh, cavity.fan());
@@ -281,20 +281,21 @@ std::int32_t fill(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t dens
 
 }  // namespace
 
-std::int32_t fillCavity(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density) {
+Vertex fillCavity(Mesh& mesh, Cavity& cavity, VertexKind kind, std::uint8_t density) {
   return fill(mesh, cavity, kind, density);
 }
 
-std::int32_t fillSplitCavity(Mesh& mesh, Cavity& cavity, std::int32_t edge, double t, std::uint8_t density) {
-  const std::int32_t vertex = fill(mesh, cavity, VertexKind::split, density);
-  const std::int32_t rest = splitBoundaryEdge(mesh, edge, vertex, t);
-  for (const std::int32_t e : {edge, rest}) {
-    const std::int32_t a = mesh.edges[at(e)].v0;
-    const std::int32_t b = mesh.edges[at(e)].v1;
-    const std::int32_t left = findHalfEdge(mesh, a, b), right = findHalfEdge(mesh, b, a);
-    TRISCOPE_CHECK(left >= 0 || right >= 0, "both parts of a boundary edge that was split are edges of the mesh");
-    for (const std::int32_t half : {left, right}) {
-      if (half >= 0) setConstrained(mesh, half, true);
+Vertex fillSplitCavity(Mesh& mesh, Cavity& cavity, EdgeId edge, double t, std::uint8_t density) {
+  const Vertex vertex = fill(mesh, cavity, VertexKind::split, density);
+  const EdgeId rest = splitBoundaryEdge(mesh, edge, vertex, t);
+  for (const EdgeId e : {edge, rest}) {
+    const Vertex a = mesh.edges[e].v0;
+    const Vertex b = mesh.edges[e].v1;
+    const Half left = findHalfEdge(mesh, a, b), right = findHalfEdge(mesh, b, a);
+    TRISCOPE_CHECK(left.exists() || right.exists(),
+                   "both parts of a boundary edge that was split are edges of the mesh");
+    for (const Half half : {left, right}) {
+      if (half.exists()) setConstrained(mesh, half, true);
     }
   }
   return vertex;

@@ -5,7 +5,7 @@
 
 namespace triscope {
 
-inline Point centroidOf(const Mesh& mesh, std::int32_t slot) {
+inline Point centroidOf(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
 }

@@ -18,7 +18,7 @@ class ChangeLog {
   ChangeLog(const ChangeLog&) = delete;
   ChangeLog& operator=(const ChangeLog&) = delete;
 
-  [[nodiscard]] const std::vector<std::int32_t>& slots() const { return *mesh_->touched; }
+  [[nodiscard]] const std::vector<Slot>& slots() const { return *mesh_->touched; }
   void clear() { mesh_->touched->clear(); }
 
  private:
@@ -26,10 +26,10 @@ class ChangeLog {
 };
 
 /// What an edit says of the slots it writes to.
-inline void noteTouched(Mesh& mesh, std::int32_t slot) {
+inline void noteTouched(Mesh& mesh, Slot slot) {
   if (mesh.touched) mesh.touched->push_back(slot);
 }
-inline void noteTouched(Mesh& mesh, std::span<const std::int32_t> several) {
+inline void noteTouched(Mesh& mesh, std::span<const Slot> several) {
   if (mesh.touched) mesh.touched->insert(mesh.touched->end(), several.begin(), several.end());
 }
 

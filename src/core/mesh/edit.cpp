@@ -5,139 +5,139 @@
 
 namespace triscope {
 
-std::int32_t addVertex(Mesh& mesh, Point p, VertexKind kind, std::uint8_t density) {
+Vertex addVertex(Mesh& mesh, Point p, VertexKind kind, std::uint8_t density) {
   mesh.points.push_back(p);
   mesh.kinds.push_back(kind);
   mesh.density.push_back(density);
-  mesh.vertexTriangle.push_back(-1);
-  mesh.vertexEdge.push_back(-1);
-  return static_cast<std::int32_t>(mesh.points.size()) - 1;
+  mesh.vertexTriangle.emplace_back();
+  mesh.vertexEdge.emplace_back();
+  return Vertex(mesh.points.size() - 1);
 }
 
-std::int32_t takeSlot(Mesh& mesh) {
+Slot takeSlot(Mesh& mesh) {
   if (mesh.freeSlots.empty()) {
     TRISCOPE_CHECK(mesh.triangles.size() < kMostSlots, "half-edges are numbered in 32 bits");
     mesh.triangles.emplace_back();
-    mesh.ids.push_back(0);
+    mesh.ids.emplace_back();
     mesh.flags.push_back(kDead);
     mesh.tested.push_back(0);
-    return static_cast<std::int32_t>(mesh.triangles.size()) - 1;
+    return Slot(mesh.triangles.size() - 1);
   }
-  const std::int32_t slot = mesh.freeSlots.back();
+  const Slot slot = mesh.freeSlots.back();
   mesh.freeSlots.pop_back();
   TRISCOPE_CHECK(!mesh.alive(slot), "a free slot holds no triangle");
   return slot;
 }
 
-std::int32_t addTriangle(Mesh& mesh, std::int32_t a, std::int32_t b, std::int32_t c) {
+Slot addTriangle(Mesh& mesh, Vertex a, Vertex b, Vertex c) {
   TRISCOPE_CHECK(a != b && b != c && c != a, "a triangle has three corners");
-  const std::int32_t slot = takeSlot(mesh);
-  mesh.flags[at(slot)] = 0;
-  mesh.tested[at(slot)] = 0;
-  mesh.triangles[at(slot)] = {{a, b, c}, {-1, -1, -1}};
-  mesh.ids[at(slot)] = mesh.nextId++;
+  const Slot slot = takeSlot(mesh);
+  mesh.flags[slot] = 0;
+  mesh.tested[slot] = 0;
+  mesh.triangles[slot] = {{a, b, c}, {}};
+  mesh.ids[slot] = mesh.nextId++;
   noteTouched(mesh, slot);
-  mesh.vertexTriangle[at(a)] = slot;
-  mesh.vertexTriangle[at(b)] = slot;
-  mesh.vertexTriangle[at(c)] = slot;
+  mesh.vertexTriangle[a] = slot;
+  mesh.vertexTriangle[b] = slot;
+  mesh.vertexTriangle[c] = slot;
   return slot;
 }
 
-void killTriangle(Mesh& mesh, std::int32_t slot) {
+void killTriangle(Mesh& mesh, Slot slot) {
   TRISCOPE_CHECK(mesh.alive(slot), "a triangle is removed once");
-  mesh.flags[at(slot)] = kDead;
-  mesh.tested[at(slot)] = kTestedAll;
+  mesh.flags[slot] = kDead;
+  mesh.tested[slot] = kTestedAll;
   mesh.freeSlots.push_back(slot);
   noteTouched(mesh, slot);
 }
 
 namespace {
 
-int cornerWith(const Triangle& triangle, std::int32_t vertex) {
+int cornerWith(const Triangle& triangle, Vertex vertex) {
   return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
 }
 
 }  // namespace
 
-void starOf(const Mesh& mesh, std::int32_t vertex, Star& star) {
+void starOf(const Mesh& mesh, Vertex vertex, Star& star) {
   star.rim.clear();
   star.closed = false;
-  const std::int32_t first = mesh.vertexTriangle[at(vertex)];
-  if (first < 0) return;
+  const Slot first = mesh.vertexTriangle[vertex];
+  if (!first.exists()) return;
   // Turn clockwise to the boundary, or all the way round, then collect counter-clockwise.
-  std::int32_t slot = first;
+  Slot slot = first;
   for (;;) {
     const Triangle& triangle = triangleAt(mesh, slot);
-    const std::int32_t across = triangle.adj[static_cast<std::size_t>(prev3(cornerWith(triangle, vertex)))];
-    if (across < 0) break;
+    const Half across = triangle.adj[prev3(cornerWith(triangle, vertex))];
+    if (!across.exists()) break;
     slot = triangleOf(across);
     if (slot == first) break;
   }
-  const std::int32_t start = slot;
+  const Slot start = slot;
   for (;;) {
     const Triangle& triangle = triangleAt(mesh, slot);
     const int corner = cornerWith(triangle, vertex);
-    star.rim.push_back(3 * slot + corner);
-    const std::int32_t across = triangle.adj[static_cast<std::size_t>(next3(corner))];
-    if (across < 0) return;
+    star.rim.push_back(halfOf(slot, corner));
+    const Half across = triangle.adj[next3(corner)];
+    if (!across.exists()) return;
     slot = triangleOf(across);
     if (slot == start) break;
   }
   star.closed = true;
 }
 
-std::int32_t findHalfEdge(const Mesh& mesh, std::int32_t a, std::int32_t b) {
-  const std::int32_t first = mesh.vertexTriangle[at(a)];
-  if (first < 0) return -1;
+Half findHalfEdge(const Mesh& mesh, Vertex a, Vertex b) {
+  const Slot first = mesh.vertexTriangle[a];
+  if (!first.exists()) return {};
   for (int direction = 0; direction < 2; ++direction) {
-    std::int32_t slot = first;
+    Slot slot = first;
     do {
       const Triangle& triangle = triangleAt(mesh, slot);
       const int corner = cornerWith(triangle, a);
-      if (triangle.v[static_cast<std::size_t>(next3(corner))] == b) return 3 * slot + prev3(corner);
+      if (triangle.v[next3(corner)] == b) return halfOf(slot, prev3(corner));
       const int side = direction == 0 ? next3(corner) : prev3(corner);
-      const std::int32_t across = triangle.adj[static_cast<std::size_t>(side)];
-      if (across < 0) break;
+      const Half across = triangle.adj[side];
+      if (!across.exists()) break;
       slot = triangleOf(across);
     } while (slot != first);
   }
-  return -1;
+  return {};
 }
 
-std::int32_t addBoundaryEdge(Mesh& mesh, const BoundaryEdge& edge) {
+EdgeId addBoundaryEdge(Mesh& mesh, const BoundaryEdge& edge) {
   TRISCOPE_CHECK(edge.v0 != edge.v1, "a boundary edge has two ends");
-  const auto index = static_cast<std::int32_t>(mesh.edges.size());
+  const EdgeId index = mesh.edges.next();
   mesh.edges.push_back(edge);
-  mesh.edges.back().next0 = mesh.vertexEdge[at(edge.v0)];
-  mesh.vertexEdge[at(edge.v0)] = index;
-  mesh.edges.back().next1 = mesh.vertexEdge[at(edge.v1)];
-  mesh.vertexEdge[at(edge.v1)] = index;
+  mesh.edges.back().next0 = mesh.vertexEdge[edge.v0];
+  mesh.vertexEdge[edge.v0] = index;
+  mesh.edges.back().next1 = mesh.vertexEdge[edge.v1];
+  mesh.vertexEdge[edge.v1] = index;
   return index;
 }
 
-std::int32_t findBoundaryEdge(const Mesh& mesh, std::int32_t a, std::int32_t b) {
-  for (std::int32_t e = mesh.vertexEdge[at(a)]; e >= 0;) {
-    const BoundaryEdge& edge = mesh.edges[at(e)];
+EdgeId findBoundaryEdge(const Mesh& mesh, Vertex a, Vertex b) {
+  for (EdgeId e = mesh.vertexEdge[a]; e.exists();) {
+    const BoundaryEdge& edge = mesh.edges[e];
     if ((edge.v0 == a && edge.v1 == b) || (edge.v0 == b && edge.v1 == a)) return e;
     e = edge.v0 == a ? edge.next0 : edge.next1;
   }
-  return -1;
+  return {};
 }
 
-std::int32_t splitBoundaryEdge(Mesh& mesh, std::int32_t e, std::int32_t middle, double t) {
-  const BoundaryEdge old = mesh.edges[at(e)];
-  const auto rest = static_cast<std::int32_t>(mesh.edges.size());
+EdgeId splitBoundaryEdge(Mesh& mesh, EdgeId e, Vertex middle, double t) {
+  const BoundaryEdge old = mesh.edges[e];
+  const auto rest = mesh.edges.next();
   // In the list of v1 the new edge takes the old one's place.
-  std::int32_t* link = &mesh.vertexEdge[at(old.v1)];
+  EdgeId* link = &mesh.vertexEdge[old.v1];
   while (*link != e) {
-    TRISCOPE_CHECK(*link >= 0, "a boundary edge is in the lists of both its ends");
-    BoundaryEdge& step = mesh.edges[at(*link)];
+    TRISCOPE_CHECK(link->exists(), "a boundary edge is in the lists of both its ends");
+    BoundaryEdge& step = mesh.edges[*link];
     link = step.v0 == old.v1 ? &step.next0 : &step.next1;
   }
   *link = rest;
-  mesh.edges[at(e)] = {old.v0, middle, old.curve, old.next0, rest, old.t0, t};
-  mesh.edges.push_back({middle, old.v1, old.curve, -1, old.next1, t, old.t1});
-  mesh.vertexEdge[at(middle)] = e;
+  mesh.edges[e] = {old.v0, middle, old.curve, old.next0, rest, old.t0, t};
+  mesh.edges.push_back({middle, old.v1, old.curve, {}, old.next1, t, old.t1});
+  mesh.vertexEdge[middle] = e;
   return rest;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/index_text.h"
 #include "core/domain/sweep_line.h"
 #include "core/geometry/predicates.h"
 #include "core/mesh/edit.h"
@@ -14,13 +15,12 @@ bool before(Point p, Point q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
 /// The borders of a mesh as the loops of a domain, for the sweep that also checks domains.
 class Borders {
  public:
-  explicit Borders(const Mesh& mesh) : mesh_(mesh), leaving_(mesh.points.size(), -1) {
-    const auto halves = static_cast<std::int32_t>(3 * mesh.triangles.size());
-    for (std::int32_t half = 0; half < halves; ++half) {
-      if (mesh.alive(triangleOf(half)) && oppositeOf(mesh, half) < 0) leaving_[at(startOf(mesh, half))] = half;
+  explicit Borders(const Mesh& mesh) : mesh_(mesh), leaving_(mesh.points.size()) {
+    for (const Half half : halvesOf(mesh)) {
+      if (mesh.alive(triangleOf(half)) && !oppositeOf(mesh, half).exists()) leaving_[startOf(mesh, half)] = half;
     }
-    for (std::int32_t half = 0; half < halves; ++half) {
-      if (mesh.alive(triangleOf(half)) && oppositeOf(mesh, half) < 0 && leaving_[at(startOf(mesh, half))] == half)
+    for (const Half half : halvesOf(mesh)) {
+      if (mesh.alive(triangleOf(half)) && !oppositeOf(mesh, half).exists() && leaving_[startOf(mesh, half)] == half)
         follow(half);
     }
   }
@@ -41,15 +41,15 @@ class Borders {
 
  private:
   /// Adds the border that a half-edge belongs to, the mesh on its left, and takes its half-edges off the list.
-  void follow(std::int32_t first) {
+  void follow(Half first) {
     const auto loop = static_cast<std::uint32_t>(loops_.loops.size());
     const std::size_t begin = chords_.size();
-    for (std::int32_t half = first; half >= 0;) {
-      leaving_[at(startOf(mesh_, half))] = -1;
+    for (Half half = first; half.exists();) {
+      leaving_[startOf(mesh_, half)] = {};
       chords_.push_back(
           {.a = pointOf(mesh_, startOf(mesh_, half)), .b = pointOf(mesh_, endOf(mesh_, half)), .loop = loop});
       halves_.push_back(half);
-      half = leaving_[at(endOf(mesh_, half))];
+      half = leaving_[endOf(mesh_, half)];
     }
     // Counter-clockwise at its leftmost point: it runs round a part; else round a hole.
     std::size_t left = begin;
@@ -65,8 +65,8 @@ class Borders {
   [[nodiscard]] std::string edge(std::size_t chord) const {
     return fmt::format("edge {}-{}", startOf(mesh_, halves_[chord]), endOf(mesh_, halves_[chord]));
   }
-  [[nodiscard]] static Violation violation(std::int32_t half, Point place, std::string message) {
-    return {Broken::overlap, triangleOf(half), -1, place, std::move(message)};
+  [[nodiscard]] static Violation violation(Half half, Point place, std::string message) {
+    return {Broken::overlap, triangleOf(half), {}, place, std::move(message)};
   }
 
   [[nodiscard]] Violation describe(const Contact& contact) const {
@@ -89,10 +89,10 @@ class Borders {
   }
 
   const Mesh& mesh_;
-  std::vector<std::int32_t> leaving_;  // per vertex: the border half-edge that starts there, -1 when none or followed
-  Domain loops_;                       // names and curves empty
+  Per<Vertex, Half> leaving_;  // the border half-edge that starts there, none when there is none or it is followed
+  Domain loops_;               // names and curves empty
   std::vector<Chord> chords_;
-  std::vector<std::int32_t> halves_;  // per chord
+  std::vector<Half> halves_;  // per chord
 };
 
 }  // namespace

@@ -8,15 +8,15 @@ namespace triscope {
 /// Replaces the edge by the other diagonal of its quadrilateral. The two triangles keep their slots and get new ids.
 /// The edge must have two sides, be unconstrained, and its quadrilateral strictly convex. Returns the half-edge of
 /// the new diagonal.
-std::int32_t flipEdge(Mesh& mesh, std::int32_t half);
+Half flipEdge(Mesh& mesh, Half half);
 
 /// True when the edge is unconstrained and the apex beyond it lies strictly inside this side's circumcircle (exact).
-bool flipWanted(const Mesh& mesh, std::int32_t half);
+bool flipWanted(const Mesh& mesh, Half half);
 
 /// One flip: the diagonal that vanished and the one that came, as vertices, so that it can be undone.
 struct Flip {
-  std::int32_t a, b;  // old diagonal
-  std::int32_t c, d;  // new diagonal
+  Vertex a, b;  // old diagonal
+  Vertex c, d;  // new diagonal
 };
 
 /// Flips that one change of a mesh may call for. It takes a handful where the mesh was Delaunay before; only signs that
@@ -25,6 +25,6 @@ inline std::size_t mostFlips(const Mesh& mesh) { return 64 + mesh.triangles.size
 
 /// Flips until the edges on and around the given half-edges' triangles are locally Delaunay, or `most` have been made.
 /// Appends each flip.
-void restoreDelaunay(Mesh& mesh, std::vector<std::int32_t>& suspects, std::vector<Flip>& done, std::size_t most);
+void restoreDelaunay(Mesh& mesh, std::vector<Half>& suspects, std::vector<Flip>& done, std::size_t most);
 
 }  // namespace triscope

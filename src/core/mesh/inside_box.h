@@ -14,9 +14,7 @@ class InsideBox {
       : mesh_(mesh), boxed_(std::find(mesh.kinds.begin(), mesh.kinds.end(), VertexKind::helper) != mesh.kinds.end()) {}
 
   /// Whether the slot holds a triangle, and one without a corner of the box.
-  [[nodiscard]] bool has(std::int32_t slot) const {
-    return mesh_.alive(slot) && !(boxed_ && touchesHelper(mesh_, slot));
-  }
+  [[nodiscard]] bool has(Slot slot) const { return mesh_.alive(slot) && !(boxed_ && touchesHelper(mesh_, slot)); }
   /// Whether the box is there.
   [[nodiscard]] bool boxed() const { return boxed_; }
 

@@ -9,8 +9,8 @@ namespace {
 
 // The walk is the innermost loop of every insertion: telling of each triangle costs nothing where nobody listens.
 template <class Visit>
-Location walk(const Mesh& mesh, std::int32_t start, Point p, Visit visit) {
-  std::int32_t slot = start;
+Location walk(const Mesh& mesh, Slot start, Point p, Visit visit) {
+  Slot slot = start;
   int from = -1;
   visit(slot);
   // A constrained triangulation may lead the walk in a circle; then the straight walk decides.
@@ -20,18 +20,18 @@ Location walk(const Mesh& mesh, std::int32_t start, Point p, Visit visit) {
     int wall = -1;
     for (int i = 0; i < 3; ++i) {
       if (i == from) continue;
-      const Point a = pointOf(mesh, triangle.v[static_cast<std::size_t>(next3(i))]);
-      const Point b = pointOf(mesh, triangle.v[static_cast<std::size_t>(prev3(i))]);
+      const Point a = pointOf(mesh, triangle.v[next3(i)]);
+      const Point b = pointOf(mesh, triangle.v[prev3(i)]);
       if (orient2d(a, b, p) >= 0) continue;
-      if (constrained(mesh, 3 * slot + i) || triangle.adj[static_cast<std::size_t>(i)] < 0) {
+      if (constrained(mesh, halfOf(slot, i)) || !triangle.adj[i].exists()) {
         wall = i;
         continue;
       }
       exit = i;
       break;
     }
-    if (exit < 0) return {slot, wall < 0 ? -1 : 3 * slot + wall};
-    const std::int32_t across = triangle.adj[static_cast<std::size_t>(exit)];
+    if (exit < 0) return {slot, wall < 0 ? Half() : halfOf(slot, wall)};
+    const Half across = triangle.adj[exit];
     slot = triangleOf(across);
     from = cornerOf(across);
     visit(slot);
@@ -47,13 +47,13 @@ Location walk(const Mesh& mesh, std::int32_t start, Point p, Visit visit) {
 
 }  // namespace
 
-Location walkTo(const Mesh& mesh, std::int32_t start, Point p, std::vector<std::int32_t>* passed) {
-  if (passed == nullptr) return walk(mesh, start, p, [](std::int32_t) {});
-  return walk(mesh, start, p, [passed](std::int32_t slot) { passed->push_back(slot); });
+Location walkTo(const Mesh& mesh, Slot start, Point p, std::vector<Slot>* passed) {
+  if (passed == nullptr) return walk(mesh, start, p, [](Slot) {});
+  return walk(mesh, start, p, [passed](Slot slot) { passed->push_back(slot); });
 }
 
-Location walkStraight(const Mesh& mesh, std::int32_t start, Point from, Point p) {
-  std::int32_t slot = start;
+Location walkStraight(const Mesh& mesh, Slot start, Point from, Point p) {
+  Slot slot = start;
   int entered = -1;
   for (std::size_t budget = mesh.triangles.size() + 8; budget > 0; --budget) {
     const Triangle& triangle = triangleAt(mesh, slot);
@@ -61,27 +61,27 @@ Location walkStraight(const Mesh& mesh, std::int32_t start, Point from, Point p)
     if (entered < 0) {
       // Leave the first triangle through the edge whose ends lie on both sides of the line (the left one may be on it).
       for (int i = 0; i < 3 && exit < 0; ++i) {
-        const Point a = pointOf(mesh, triangle.v[static_cast<std::size_t>(next3(i))]);
-        const Point b = pointOf(mesh, triangle.v[static_cast<std::size_t>(prev3(i))]);
+        const Point a = pointOf(mesh, triangle.v[next3(i)]);
+        const Point b = pointOf(mesh, triangle.v[prev3(i)]);
         if (orient2d(from, p, a) < 0 && orient2d(from, p, b) >= 0) exit = i;
       }
     } else {
       // The edge entered through runs from its left end, corner next3, to its right end; the apex decides which of the
       // two is left behind.
-      const bool apexLeft = orient2d(from, p, pointOf(mesh, triangle.v[static_cast<std::size_t>(entered)])) >= 0;
+      const bool apexLeft = orient2d(from, p, pointOf(mesh, triangle.v[entered])) >= 0;
       exit = apexLeft ? next3(entered) : prev3(entered);
     }
-    if (exit < 0) return {slot, -1};
-    const Point a = pointOf(mesh, triangle.v[static_cast<std::size_t>(next3(exit))]);
-    const Point b = pointOf(mesh, triangle.v[static_cast<std::size_t>(prev3(exit))]);
-    if (orient2d(a, b, p) >= 0) return {slot, -1};
-    const std::int32_t half = 3 * slot + exit;
-    const std::int32_t across = triangle.adj[static_cast<std::size_t>(exit)];
-    if (across < 0 || constrained(mesh, half)) return {slot, half};
+    if (exit < 0) return {slot, {}};
+    const Point a = pointOf(mesh, triangle.v[next3(exit)]);
+    const Point b = pointOf(mesh, triangle.v[prev3(exit)]);
+    if (orient2d(a, b, p) >= 0) return {slot, {}};
+    const Half half = halfOf(slot, exit);
+    const Half across = triangle.adj[exit];
+    if (!across.exists() || constrained(mesh, half)) return {slot, half};
     slot = triangleOf(across);
     entered = cornerOf(across);
   }
-  return {slot, -1};
+  return {slot, {}};
 }
 
 }  // namespace triscope

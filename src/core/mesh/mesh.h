@@ -2,7 +2,7 @@
 //
 //            v[2]
 //            /  \            edge i lies opposite v[i], from v[i+1] to v[i+2] (counter-clockwise);
-//     edge 1/    \edge 0     adj[i] is the half-edge on the other side, 3·t' + k, or -1 at the boundary.
+//     edge 1/    \edge 0     adj[i] is the half-edge on the other side, 3·t' + k, or none at the boundary.
 //          /      \          ...
 //       v[0]------v[1]
 //            edge 2
@@ -10,12 +10,12 @@
 // Slots are reused; ids are not: id[slot] counts births, so "triangle 5821" is one triangle for good.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/base/point.h"
+#include "core/mesh/ids.h"
 
 namespace triscope {
 
@@ -31,17 +31,17 @@ enum class VertexKind : std::uint8_t {
 };
 
 struct Triangle {
-  std::array<std::int32_t, 3> v{-1, -1, -1};
-  std::array<std::int32_t, 3> adj{-1, -1, -1};
+  Corners<Vertex> v;
+  Corners<Half> adj;
 };
 
 /// A piece of a boundary curve between two vertices, curve(t0) = point v0, curve(t1) = point v1.
 struct BoundaryEdge {
-  std::int32_t v0 = -1;
-  std::int32_t v1 = -1;
+  Vertex v0;
+  Vertex v1;
   std::uint32_t curve = 0;
-  std::int32_t next0 = -1;  // next boundary edge in the list of v0, of v1
-  std::int32_t next1 = -1;
+  EdgeId next0;  // next boundary edge in the list of v0, of v1
+  EdgeId next1;
   double t0 = 0.0;
   double t1 = 1.0;
 };
@@ -55,22 +55,22 @@ inline constexpr std::uint8_t kConstrainedAll = 7;
 inline constexpr std::uint8_t kTestedAll = 255;  // Mesh::tested of a free slot: nothing to look at
 
 struct Mesh {
-  std::vector<Point> points;
-  std::vector<VertexKind> kinds;             // per vertex
-  std::vector<std::uint8_t> density;         // per vertex: density rank where it was placed
-  std::vector<std::int32_t> vertexTriangle;  // per vertex: a live triangle around it, -1 when none
-  std::vector<std::int32_t> vertexEdge;      // per vertex: first boundary edge in its list, -1 when none
-  std::vector<Triangle> triangles;           // per slot
-  std::vector<std::uint32_t> ids;            // per slot
-  std::vector<std::uint8_t> flags;           // per slot
-  std::vector<std::uint8_t> tested;          // per slot: bit k: rule k looked at it since it or a neighbour changed
-  std::vector<std::int32_t> freeSlots;       // last freed, first reused
-  std::vector<BoundaryEdge> edges;
-  std::uint32_t nextId = 0;
-  std::int32_t lastTriangle = 0;                     // where the next walk starts
-  std::optional<std::vector<std::int32_t>> touched;  // while a ChangeLog follows the edits: the slots they wrote to
+  Per<Vertex, Point> points;
+  Per<Vertex, VertexKind> kinds;
+  Per<Vertex, std::uint8_t> density;  // rank where it was placed
+  Per<Vertex, Slot> vertexTriangle;   // a live triangle around it, none when there is none
+  Per<Vertex, EdgeId> vertexEdge;     // first boundary edge in its list, none when there is none
+  Per<Slot, Triangle> triangles;
+  Per<Slot, TriangleId> ids;
+  Per<Slot, std::uint8_t> flags;
+  Per<Slot, std::uint8_t> tested;  // bit k: rule k looked at it since it or a neighbour changed
+  std::vector<Slot> freeSlots;     // last freed, first reused
+  Per<EdgeId, BoundaryEdge> edges;
+  TriangleId nextId{0};
+  Slot lastTriangle{0};                      // where the next walk starts
+  std::optional<std::vector<Slot>> touched;  // while a ChangeLog follows the edits: the slots they wrote to
 
-  [[nodiscard]] bool alive(std::int32_t slot) const { return (flags[static_cast<std::size_t>(slot)] & kDead) == 0; }
+  [[nodiscard]] bool alive(Slot slot) const { return (flags[slot] & kDead) == 0; }
   [[nodiscard]] std::size_t liveCount() const { return triangles.size() - freeSlots.size(); }
 };
 
@@ -78,47 +78,41 @@ struct Mesh {
 inline constexpr int next3(int i) { return i == 2 ? 0 : i + 1; }
 inline constexpr int prev3(int i) { return i == 0 ? 2 : i - 1; }
 
-/// Half-edge h = 3·t + i is edge i of triangle t, from its start to its end.
-inline constexpr std::int32_t triangleOf(std::int32_t half) { return half / 3; }
-inline constexpr int cornerOf(std::int32_t half) { return half % 3; }
-inline const Triangle& triangleAt(const Mesh& mesh, std::int32_t slot) {
-  return mesh.triangles[static_cast<std::size_t>(slot)];
+/// Half-edge 3·t + i is edge i of triangle t, from its start to its end.
+inline constexpr Half halfOf(Slot slot, int corner) { return Half(3 * slot.n + corner); }
+inline constexpr Slot triangleOf(Half half) { return Slot(half.n / 3); }
+inline constexpr int cornerOf(Half half) { return half.n % 3; }
+/// Of all slots, also the free ones.
+inline Keys<Half> halvesOf(const Mesh& mesh) { return {Half(0), Half(3 * mesh.triangles.size())}; }
+inline const Triangle& triangleAt(const Mesh& mesh, Slot slot) { return mesh.triangles[slot]; }
+inline Point pointOf(const Mesh& mesh, Vertex vertex) { return mesh.points[vertex]; }
+inline Vertex startOf(const Mesh& mesh, Half half) {
+  return triangleAt(mesh, triangleOf(half)).v[next3(cornerOf(half))];
 }
-inline Point pointOf(const Mesh& mesh, std::int32_t vertex) { return mesh.points[static_cast<std::size_t>(vertex)]; }
-inline std::int32_t startOf(const Mesh& mesh, std::int32_t half) {
-  return triangleAt(mesh, triangleOf(half)).v[static_cast<std::size_t>(next3(cornerOf(half)))];
-}
-inline std::int32_t endOf(const Mesh& mesh, std::int32_t half) {
-  return triangleAt(mesh, triangleOf(half)).v[static_cast<std::size_t>(prev3(cornerOf(half)))];
-}
-inline std::int32_t apexOf(const Mesh& mesh, std::int32_t half) {
-  return triangleAt(mesh, triangleOf(half)).v[static_cast<std::size_t>(cornerOf(half))];
-}
-inline std::int32_t oppositeOf(const Mesh& mesh, std::int32_t half) {
-  return triangleAt(mesh, triangleOf(half)).adj[static_cast<std::size_t>(cornerOf(half))];
-}
+inline Vertex endOf(const Mesh& mesh, Half half) { return triangleAt(mesh, triangleOf(half)).v[prev3(cornerOf(half))]; }
+inline Vertex apexOf(const Mesh& mesh, Half half) { return triangleAt(mesh, triangleOf(half)).v[cornerOf(half)]; }
+inline Half oppositeOf(const Mesh& mesh, Half half) { return triangleAt(mesh, triangleOf(half)).adj[cornerOf(half)]; }
 /// Twice the area of a triangle, positive when it is counter-clockwise.
-inline double twiceArea(const Mesh& mesh, std::int32_t slot) {
+inline double twiceArea(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   const Point a = pointOf(mesh, t.v[0]);
   return cross(pointOf(mesh, t.v[1]) - a, pointOf(mesh, t.v[2]) - a);
 }
 /// Whether a corner of a live triangle belongs to the box around everything.
-inline bool touchesHelper(const Mesh& mesh, std::int32_t slot) {
-  for (const std::int32_t v : triangleAt(mesh, slot).v)
-    if (mesh.kinds[static_cast<std::size_t>(v)] == VertexKind::helper) return true;
+inline bool touchesHelper(const Mesh& mesh, Slot slot) {
+  for (const Vertex v : triangleAt(mesh, slot).v)
+    if (mesh.kinds[v] == VertexKind::helper) return true;
   return false;
 }
-inline bool constrained(const Mesh& mesh, std::int32_t half) {
-  return (mesh.flags[static_cast<std::size_t>(triangleOf(half))] >> cornerOf(half) & 1) != 0;
+inline bool constrained(const Mesh& mesh, Half half) {
+  return (mesh.flags[triangleOf(half)] >> cornerOf(half) & 1) != 0;
 }
-inline std::uint32_t idOf(const Mesh& mesh, std::int32_t slot) { return mesh.ids[static_cast<std::size_t>(slot)]; }
-/// Slot of the live triangle with this id, -1 when there is none. Looks at every slot.
-inline std::int32_t slotOf(const Mesh& mesh, std::uint32_t id) {
-  for (std::size_t slot = 0; slot < mesh.ids.size(); ++slot) {
-    if (mesh.ids[slot] == id && (mesh.flags[slot] & kDead) == 0) return static_cast<std::int32_t>(slot);
-  }
-  return -1;
+inline TriangleId idOf(const Mesh& mesh, Slot slot) { return mesh.ids[slot]; }
+/// Slot of the live triangle with this id, none when there is none. Looks at every slot.
+inline Slot slotOf(const Mesh& mesh, TriangleId id) {
+  for (const Slot slot : mesh.triangles.keys())
+    if (mesh.ids[slot] == id && mesh.alive(slot)) return slot;
+  return {};
 }
 
 }  // namespace triscope

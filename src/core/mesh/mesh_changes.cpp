@@ -23,17 +23,16 @@ bool sameSlots(const Mesh& a, const Mesh& b, std::size_t first, std::size_t coun
 
 }  // namespace
 
-std::optional<std::vector<std::int32_t>> changedSlots(const Mesh& before, const Mesh& after, std::size_t most) {
-  std::vector<std::int32_t> changed;
+std::optional<std::vector<Slot>> changedSlots(const Mesh& before, const Mesh& after, std::size_t most) {
+  std::vector<Slot> changed;
   const std::size_t slots = std::min(before.triangles.size(), after.triangles.size());
   if (after.triangles.size() - slots > most) return std::nullopt;
-  for (std::size_t slot = slots; slot < after.triangles.size(); ++slot)
-    changed.push_back(static_cast<std::int32_t>(slot));
+  for (std::size_t slot = slots; slot < after.triangles.size(); ++slot) changed.emplace_back(slot);
   for (std::size_t first = 0; first < slots; first += kRun) {
     const std::size_t count = std::min(kRun, slots - first);
     if (sameSlots(before, after, first, count)) continue;
     for (std::size_t slot = first; slot < first + count; ++slot)
-      if (!sameSlots(before, after, slot, 1)) changed.push_back(static_cast<std::int32_t>(slot));
+      if (!sameSlots(before, after, slot, 1)) changed.emplace_back(slot);
     if (changed.size() > most) return std::nullopt;
   }
   // The triangles of a vertex that is new have not been there before.
@@ -43,9 +42,9 @@ std::optional<std::vector<std::int32_t>> changedSlots(const Mesh& before, const 
     const std::size_t count = std::min(kRun, vertices - first);
     if (sameBytes(before.points, after.points, first, count)) continue;
     for (std::size_t v = first; v < first + count; ++v) {
-      if (sameBytes(before.points, after.points, v, 1) || after.vertexTriangle[v] < 0) continue;
-      starOf(after, static_cast<std::int32_t>(v), star);
-      for (const std::int32_t half : star.rim) changed.push_back(triangleOf(half));
+      if (sameBytes(before.points, after.points, v, 1) || !after.vertexTriangle[Vertex(v)].exists()) continue;
+      starOf(after, Vertex(v), star);
+      for (const Half half : star.rim) changed.push_back(triangleOf(half));
     }
     if (changed.size() > most) return std::nullopt;
   }

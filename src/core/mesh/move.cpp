@@ -9,19 +9,20 @@
 namespace triscope {
 namespace {
 
-void save(const Mesh& mesh, std::int32_t slot, MoveLog& log) {
-  log.saved.push_back({slot, triangleAt(mesh, slot), idOf(mesh, slot), mesh.flags[at(slot)], mesh.tested[at(slot)]});
+void save(const Mesh& mesh, Slot slot, MoveLog& log) {
+  log.saved.push_back({slot, triangleAt(mesh, slot), idOf(mesh, slot), mesh.flags[slot], mesh.tested[slot]});
 }
 
-void saveFlip(const Mesh& mesh, std::int32_t half, MoveLog& log) {
-  const std::int32_t left = triangleOf(half);
-  const std::int32_t right = triangleOf(oppositeOf(mesh, half));
-  for (const std::int32_t slot : {left, right}) {
+void saveFlip(const Mesh& mesh, Half half, MoveLog& log) {
+  const Slot left = triangleOf(half);
+  const Slot right = triangleOf(oppositeOf(mesh, half));
+  for (const Slot slot : {left, right}) {
     save(mesh, slot, log);
-    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-      if (across >= 0 && triangleOf(across) != left && triangleOf(across) != right) save(mesh, triangleOf(across), log);
+    for (const Half across : triangleAt(mesh, slot).adj) {
+      if (across.exists() && triangleOf(across) != left && triangleOf(across) != right)
+        save(mesh, triangleOf(across), log);
     }
-    for (const std::int32_t v : triangleAt(mesh, slot).v) log.vertices.push_back({v, mesh.vertexTriangle[at(v)]});
+    for (const Vertex v : triangleAt(mesh, slot).v) log.vertices.push_back({v, mesh.vertexTriangle[v]});
     if (std::find(log.slots.begin(), log.slots.end(), slot) == log.slots.end()) log.slots.push_back(slot);
   }
   ++log.flips;
@@ -29,12 +30,12 @@ void saveFlip(const Mesh& mesh, std::int32_t half, MoveLog& log) {
 
 }  // namespace
 
-bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
+bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
   Star& star = log.star;
-  std::vector<std::int32_t>& suspects = log.suspects;
+  std::vector<Half>& suspects = log.suspects;
   starOf(mesh, vertex, star);
   if (!star.closed) return false;
-  for (const std::int32_t rim : star.rim) {
+  for (const Half rim : star.rim) {
     if (orient2d(pointOf(mesh, startOf(mesh, rim)), pointOf(mesh, endOf(mesh, rim)), to) <= 0) return false;
   }
   log.vertex = vertex;
@@ -45,18 +46,18 @@ bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
   log.slots.clear();
   log.flips = 0;
   suspects.clear();
-  for (const std::int32_t rim : star.rim) {
-    const std::int32_t slot = triangleOf(rim);
+  for (const Half rim : star.rim) {
+    const Slot slot = triangleOf(rim);
     save(mesh, slot, log);
     log.slots.push_back(slot);
     noteTouched(mesh, slot);
     suspects.push_back(rim);
-    suspects.push_back(3 * slot + next3(cornerOf(rim)));
+    suspects.push_back(halfOf(slot, next3(cornerOf(rim))));
   }
-  mesh.points[at(vertex)] = to;
+  mesh.points[vertex] = to;
   const std::size_t most = mostFlips(mesh);
   while (!suspects.empty()) {
-    const std::int32_t half = suspects.back();
+    const Half half = suspects.back();
     suspects.pop_back();
     if (!flipWanted(mesh, half)) continue;
     if (log.flips == most) {
@@ -64,21 +65,21 @@ bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
       return false;
     }
     saveFlip(mesh, half, log);
-    const std::int32_t diagonal = flipEdge(mesh, half);
-    const std::int32_t other = oppositeOf(mesh, diagonal);
-    for (const std::int32_t side : {diagonal, other}) {
-      suspects.push_back(3 * triangleOf(side) + next3(cornerOf(side)));
-      suspects.push_back(3 * triangleOf(side) + prev3(cornerOf(side)));
+    const Half diagonal = flipEdge(mesh, half);
+    const Half other = oppositeOf(mesh, diagonal);
+    for (const Half side : {diagonal, other}) {
+      suspects.push_back(halfOf(triangleOf(side), next3(cornerOf(side))));
+      suspects.push_back(halfOf(triangleOf(side), prev3(cornerOf(side))));
     }
   }
-  for (const std::int32_t slot : log.slots) {
-    mesh.tested[at(slot)] = 0;
-    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-      if (across < 0) continue;
-      const std::int32_t neighbour = triangleOf(across);
-      if (mesh.tested[at(neighbour)] != 0) {
+  for (const Slot slot : log.slots) {
+    mesh.tested[slot] = 0;
+    for (const Half across : triangleAt(mesh, slot).adj) {
+      if (!across.exists()) continue;
+      const Slot neighbour = triangleOf(across);
+      if (mesh.tested[neighbour] != 0) {
         save(mesh, neighbour, log);
-        mesh.tested[at(neighbour)] = 0;
+        mesh.tested[neighbour] = 0;
       }
     }
   }
@@ -87,15 +88,15 @@ bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log) {
 
 void undoMove(Mesh& mesh, const MoveLog& log) {
   for (auto saved = log.saved.rbegin(); saved != log.saved.rend(); ++saved) {
-    mesh.triangles[at(saved->slot)] = saved->triangle;
-    mesh.ids[at(saved->slot)] = saved->id;
-    mesh.flags[at(saved->slot)] = saved->flags;
-    mesh.tested[at(saved->slot)] = saved->tested;
+    mesh.triangles[saved->slot] = saved->triangle;
+    mesh.ids[saved->slot] = saved->id;
+    mesh.flags[saved->slot] = saved->flags;
+    mesh.tested[saved->slot] = saved->tested;
   }
   for (auto saved = log.vertices.rbegin(); saved != log.vertices.rend(); ++saved) {
-    mesh.vertexTriangle[at(saved->vertex)] = saved->triangle;
+    mesh.vertexTriangle[saved->vertex] = saved->triangle;
   }
-  mesh.points[at(log.vertex)] = log.from;
+  mesh.points[log.vertex] = log.from;
   mesh.nextId = log.nextId;
 }
 

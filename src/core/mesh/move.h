@@ -9,31 +9,31 @@ namespace triscope {
 /// What a move changed, so that undoMove gives back the very same mesh, ids included.
 struct MoveLog {
   struct Saved {
-    std::int32_t slot;
+    Slot slot;
     Triangle triangle;
-    std::uint32_t id;
+    TriangleId id;
     std::uint8_t flags;
     std::uint8_t tested;
   };
   struct SavedVertex {
-    std::int32_t vertex;
-    std::int32_t triangle;
+    Vertex vertex;
+    Slot triangle;
   };
-  std::int32_t vertex = -1;
+  Vertex vertex;
   Point from;
-  std::uint32_t nextId = 0;
+  TriangleId nextId;
   std::vector<Saved> saved;  // in the order of change: undone backwards
   std::vector<SavedVertex> vertices;
-  std::vector<std::int32_t> slots;  // of the star and of every triangle flipped: the same region before and after
+  std::vector<Slot> slots;  // of the star and of every triangle flipped: the same region before and after
   std::uint32_t flips = 0;
   // Scratch of moveVertex().
   Star star;
-  std::vector<std::int32_t> suspects;
+  std::vector<Half> suspects;
 };
 
 /// Moves a vertex inside its closed star and flips until the region is Delaunay. Returns false, changing nothing, when
 /// the star is open, or a triangle would turn over (exact).
-bool moveVertex(Mesh& mesh, std::int32_t vertex, Point to, MoveLog& log);
+bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log);
 void undoMove(Mesh& mesh, const MoveLog& log);
 
 }  // namespace triscope

@@ -6,16 +6,16 @@
 namespace triscope {
 
 struct Patch {
-  Mesh mesh;                           // its rim is constrained, so no edit reaches beyond it
-  std::vector<std::int32_t> slots;     // patch slot -> mesh slot
-  std::vector<std::int32_t> vertices;  // patch vertex -> mesh vertex
-  std::vector<std::int32_t> edges;     // patch boundary edge -> mesh boundary edge
-  // Scratch of extractPatch(), from the mesh to the patch: -1 everywhere between calls.
-  std::vector<std::int32_t> localSlot;
-  std::vector<std::int32_t> localVertex;
+  Mesh mesh;                     // its rim is constrained, so no edit reaches beyond it
+  Per<Slot, Slot> slots;         // patch slot -> mesh slot
+  Per<Vertex, Vertex> vertices;  // patch vertex -> mesh vertex
+  Per<EdgeId, EdgeId> edges;     // patch boundary edge -> mesh boundary edge
+  // Scratch of extractPatch(), from the mesh to the patch: none everywhere between calls.
+  Per<Slot, Slot> localSlot;
+  Per<Vertex, Vertex> localVertex;
 };
 
 /// Triangles within `depth` steps across unconstrained edges; patch slot 0 is `slot`.
-void extractPatch(const Mesh& mesh, std::int32_t slot, int depth, Patch& patch);
+void extractPatch(const Mesh& mesh, Slot slot, int depth, Patch& patch);
 
 }  // namespace triscope

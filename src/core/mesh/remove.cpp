@@ -12,7 +12,7 @@ namespace {
 // triangles hold no corner. Each side of the polygon thus has a circle that is empty of corners, and what cuts off an
 // ear has one too. Such sides are all in one Delaunay triangulation of the corners; its part within the polygon has two
 // ears.
-bool delaunayEar(const Mesh& mesh, const std::vector<std::int32_t>& polygon, std::size_t k) {
+bool delaunayEar(const Mesh& mesh, const std::vector<Vertex>& polygon, std::size_t k) {
   const std::size_t n = polygon.size();
   const std::size_t before = k == 0 ? n - 1 : k - 1;
   const std::size_t after = k + 1 == n ? 0 : k + 1;
@@ -26,25 +26,25 @@ bool delaunayEar(const Mesh& mesh, const std::vector<std::int32_t>& polygon, std
 
 }  // namespace
 
-bool removeVertex(Mesh& mesh, std::int32_t vertex) {
+bool removeVertex(Mesh& mesh, Vertex vertex) {
   Star star;
-  std::vector<std::int32_t> polygon;  // corners counter-clockwise
-  std::vector<std::int32_t> outside;  // half-edge beyond the edge from corner k to corner k + 1
+  std::vector<Vertex> polygon;  // corners counter-clockwise
+  std::vector<Half> outside;    // half-edge beyond the edge from corner k to corner k + 1
   std::vector<std::uint8_t> walls;
-  if (mesh.vertexEdge[at(vertex)] >= 0) return false;
+  if (mesh.vertexEdge[vertex].exists()) return false;
   starOf(mesh, vertex, star);
   if (!star.closed || star.rim.size() < 3) return false;
-  for (const std::int32_t rim : star.rim) {
+  for (const Half rim : star.rim) {
     polygon.push_back(startOf(mesh, rim));
     outside.push_back(oppositeOf(mesh, rim));
     walls.push_back(constrained(mesh, rim) ? 1 : 0);
   }
-  for (const std::int32_t rim : star.rim) killTriangle(mesh, triangleOf(rim));
-  mesh.kinds[at(vertex)] = VertexKind::removed;
-  mesh.vertexTriangle[at(vertex)] = -1;
-  const auto hang = [&](std::int32_t half, std::size_t k) {
+  for (const Half rim : star.rim) killTriangle(mesh, triangleOf(rim));
+  mesh.kinds[vertex] = VertexKind::removed;
+  mesh.vertexTriangle[vertex] = {};
+  const auto hang = [&](Half half, std::size_t k) {
     link(mesh, half, outside[k]);
-    if (outside[k] >= 0) mesh.tested[at(triangleOf(outside[k]))] = 0;
+    if (outside[k].exists()) mesh.tested[triangleOf(outside[k])] = 0;
     if (walls[k] != 0) setConstrained(mesh, half, true);
   };
   while (polygon.size() > 3) {
@@ -54,21 +54,21 @@ bool removeVertex(Mesh& mesh, std::int32_t vertex) {
     TRISCOPE_CHECK(ear < n, "what a vertex leaves in a Delaunay triangulation has a Delaunay ear");
     const std::size_t before = ear == 0 ? n - 1 : ear - 1;
     const std::size_t after = ear + 1 == n ? 0 : ear + 1;
-    const std::int32_t slot = addTriangle(mesh, polygon[before], polygon[ear], polygon[after]);
-    hang(3 * slot + 2, before);
-    hang(3 * slot, ear);
+    const Slot slot = addTriangle(mesh, polygon[before], polygon[ear], polygon[after]);
+    hang(halfOf(slot, 2), before);
+    hang(halfOf(slot, 0), ear);
     // The ear's third edge takes the place of the two it covers.
-    outside[before] = 3 * slot + 1;
+    outside[before] = halfOf(slot, 1);
     walls[before] = 0;
     const auto gone = static_cast<std::ptrdiff_t>(ear);
     polygon.erase(polygon.begin() + gone);
     outside.erase(outside.begin() + gone);
     walls.erase(walls.begin() + gone);
   }
-  const std::int32_t slot = addTriangle(mesh, polygon[0], polygon[1], polygon[2]);
-  hang(3 * slot + 2, 0);
-  hang(3 * slot, 1);
-  hang(3 * slot + 1, 2);
+  const Slot slot = addTriangle(mesh, polygon[0], polygon[1], polygon[2]);
+  hang(halfOf(slot, 2), 0);
+  hang(halfOf(slot, 0), 1);
+  hang(halfOf(slot, 1), 2);
   mesh.lastTriangle = slot;
   return true;
 }

@@ -28,7 +28,7 @@ void forEachUntested(const Mesh& mesh, std::uint8_t bit, const Visit& visit) {
     }
     const std::size_t end = slot + 8 < count ? slot + 8 : count;
     for (; slot < end; ++slot) {
-      if ((mesh.tested[slot] & bit) == 0) visit(static_cast<std::int32_t>(slot));
+      if ((mesh.tested[Slot(slot)] & bit) == 0) visit(Slot(slot));
     }
   }
 }

@@ -12,15 +12,14 @@ void measureWhole(Trial& trial) {
   trial.whole = {};
   trial.broken.clear();
   const Mesh& mesh = trial.unedited;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const auto s = static_cast<std::int32_t>(slot);
-    if (!mesh.alive(s)) continue;
-    const Breach breach = breachOf(mesh, s);
+  for (const Slot slot : mesh.triangles.keys()) {
+    if (!mesh.alive(slot)) continue;
+    const Breach breach = breachOf(mesh, slot);
     trial.whole.shortest = std::min(trial.whole.shortest, breach.shortest);
     if (breach.broken == 0) continue;
     trial.whole.broken += breach.broken;
     trial.whole.excess += breach.excess;
-    trial.broken.push_back({s, breach});
+    trial.broken.push_back({slot, breach});
   }
 }
 
@@ -44,18 +43,18 @@ Breach judgeEdit(Trial& trial, int most) {
   const Mesh& mesh = trial.mesh;
   trial.inRegion.resize(mesh.triangles.size(), 0);
   trial.region.clear();
-  const auto take = [&](std::int32_t slot) {
-    if (trial.inRegion[at(slot)] != 0) return;
-    trial.inRegion[at(slot)] = 1;
+  const auto take = [&](Slot slot) {
+    if (trial.inRegion[slot] != 0) return;
+    trial.inRegion[slot] = 1;
     trial.region.push_back(slot);
   };
-  for (const std::int32_t slot : *mesh.touched) take(slot);
+  for (const Slot slot : *mesh.touched) take(slot);
   // A pair is counted by the lower of its slots, so those beside the touched ones may count otherwise now.
   const std::size_t edited = trial.region.size();
   for (std::size_t k = 0; k < edited; ++k) {
     if (!mesh.alive(trial.region[k])) continue;
-    for (const std::int32_t across : triangleAt(mesh, trial.region[k]).adj) {
-      if (across >= 0) take(triangleOf(across));
+    for (const Half across : triangleAt(mesh, trial.region[k]).adj) {
+      if (across.exists()) take(triangleOf(across));
     }
   }
   Breach after;
@@ -65,12 +64,11 @@ Breach judgeEdit(Trial& trial, int most) {
     after.shortest = std::min(after.shortest, breach.shortest);
   };
   for (const Trial::Broken& broken : trial.broken) {
-    if (static_cast<std::size_t>(broken.slot) < trial.inRegion.size() && trial.inRegion[at(broken.slot)] == 0)
-      add(broken.breach);
+    if (trial.inRegion.has(broken.slot) && trial.inRegion[broken.slot] == 0) add(broken.breach);
   }
-  for (const std::int32_t slot : trial.region) {
+  for (const Slot slot : trial.region) {
     if (after.broken <= most && mesh.alive(slot)) add(breachOf(mesh, slot));
-    trial.inRegion[at(slot)] = 0;
+    trial.inRegion[slot] = 0;
   }
   return after;
 }
@@ -95,25 +93,25 @@ void takeBack(Trial& trial) {
   mesh.freeSlots = from.freeSlots;
   mesh.nextId = from.nextId;
   mesh.lastTriangle = from.lastTriangle;
-  const auto restore = [&](std::int32_t slot) {
-    mesh.triangles[at(slot)] = from.triangles[at(slot)];
-    mesh.ids[at(slot)] = from.ids[at(slot)];
-    mesh.flags[at(slot)] = from.flags[at(slot)];
-    mesh.tested[at(slot)] = from.tested[at(slot)];
+  const auto restore = [&](Slot slot) {
+    mesh.triangles[slot] = from.triangles[slot];
+    mesh.ids[slot] = from.ids[slot];
+    mesh.flags[slot] = from.flags[slot];
+    mesh.tested[slot] = from.tested[slot];
   };
-  for (const std::int32_t slot : *mesh.touched) {
-    if (at(slot) >= slots) continue;
+  for (const Slot slot : *mesh.touched) {
+    if (!from.triangles.has(slot)) continue;
     restore(slot);
     if (!from.alive(slot)) continue;
     const Triangle& t = triangleAt(from, slot);
-    for (const std::int32_t across : t.adj) {
-      if (across >= 0) restore(triangleOf(across));
+    for (const Half across : t.adj) {
+      if (across.exists()) restore(triangleOf(across));
     }
-    for (const std::int32_t v : t.v) {
-      mesh.points[at(v)] = from.points[at(v)];
-      mesh.kinds[at(v)] = from.kinds[at(v)];
-      mesh.vertexTriangle[at(v)] = from.vertexTriangle[at(v)];
-      mesh.vertexEdge[at(v)] = from.vertexEdge[at(v)];
+    for (const Vertex v : t.v) {
+      mesh.points[v] = from.points[v];
+      mesh.kinds[v] = from.kinds[v];
+      mesh.vertexTriangle[v] = from.vertexTriangle[v];
+      mesh.vertexEdge[v] = from.vertexEdge[v];
     }
   }
 }

@@ -13,13 +13,13 @@ struct Trial {
   Mesh unedited;   // what it is like before each edit
   Breach whole;    // of all triangles of `unedited`
   struct Broken {  // the triangles that add to it, in the order of their slots
-    std::int32_t slot = -1;
+    Slot slot;
     Breach breach;
   };
   std::vector<Broken> broken;
   // Scratch: who is touched by the edit, and who has been asked already.
-  std::vector<std::int32_t> region;
-  std::vector<std::uint8_t> inRegion;
+  std::vector<Slot> region;
+  Per<Slot, std::uint8_t> inRegion;
 };
 
 /// Begins with `from` as it is, or with the mesh as the last edit left it.

@@ -23,8 +23,8 @@ enum class Broken : std::uint8_t {
 
 struct Violation {
   Broken what = Broken::link;
-  std::int32_t triangle = -1;  // slot
-  std::int32_t vertex = -1;
+  Slot triangle;
+  Vertex vertex;
   std::optional<Point> at;  // where to look; none for what is wrong as a whole
   std::string message;
 };

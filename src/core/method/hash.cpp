@@ -1,4 +1,6 @@
 // A digest of a state, to compare runs by.
+#include <variant>
+
 #include "core/base/digest.h"
 #include "core/method/state.h"
 
@@ -14,8 +16,7 @@ void add(Digest& digest, const Mesh& mesh) {
   digest.word(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) {
-      digest.word(static_cast<std::uint64_t>(t.v[i]) << 32 ^
-                  static_cast<std::uint64_t>(static_cast<std::uint32_t>(t.adj[i])));
+      digest.word(static_cast<std::uint64_t>(t.v[i].n) << 32 ^ t.adj[i].word());
     }
   }
   digest.integers(mesh.ids);
@@ -23,13 +24,13 @@ void add(Digest& digest, const Mesh& mesh) {
   digest.integers(mesh.tested);
   digest.integers(mesh.freeSlots);
   for (const BoundaryEdge& e : mesh.edges) {
-    digest.word(static_cast<std::uint64_t>(e.v0) << 32 ^ static_cast<std::uint64_t>(e.v1));
+    digest.word(static_cast<std::uint64_t>(e.v0.n) << 32 ^ static_cast<std::uint64_t>(e.v1.n));
     digest.word(e.curve);
     digest.number(e.t0);
     digest.number(e.t1);
   }
-  digest.word(mesh.nextId);
-  digest.word(static_cast<std::uint64_t>(mesh.lastTriangle));
+  digest.word(mesh.nextId.n);
+  digest.word(static_cast<std::uint64_t>(mesh.lastTriangle.n));
 }
 
 void add(Digest& digest, const std::vector<Constraint>& constraints) {
@@ -50,6 +51,56 @@ void add(Digest& digest, const ConstraintSearch& search) {
   add(digest, search.found);
 }
 
+// Two lists of numbers and one of points, whatever the stage: saved sessions hold hashes.
+constexpr std::uint64_t kEmpty = 0;
+
+void add(Digest& digest, const std::monostate&) {
+  for (int list = 0; list < 3; ++list) digest.word(kEmpty);
+}
+
+void add(Digest& digest, const CellsAhead& ahead) {
+  digest.integers(ahead.cells);
+  digest.word(kEmpty);
+  digest.word(kEmpty);
+}
+
+void add(Digest& digest, const RankFront& front) {
+  digest.integers(front.first);
+  digest.word(2 * front.entries.size());
+  for (const RankFront::Entry& entry : front.entries) {
+    digest.word(static_cast<std::uint64_t>(entry.cell));
+    digest.word(static_cast<std::uint64_t>(entry.next));
+  }
+  digest.word(kEmpty);
+}
+
+void add(Digest& digest, const BoundaryOrder& order) {
+  digest.word(kEmpty);
+  digest.integers(order.points);
+  digest.word(kEmpty);
+}
+
+void add(Digest& digest, const FrontTips& tips) {
+  digest.integers(tips.owners);
+  digest.integers(tips.placed);
+  digest.points(tips.places);
+}
+
+void add(Digest& digest, const SlotsAhead& ahead) {
+  digest.integers(ahead.slots);
+  digest.word(kEmpty);
+  digest.word(kEmpty);
+}
+
+void add(Digest& digest, const Polishing& polishing) {
+  digest.integers(polishing.nearPoor);
+  digest.integers(polishing.vertices);
+  digest.word(polishing.worst ? 2 : 0);
+  if (!polishing.worst) return;
+  digest.point({polishing.worst->aspect, polishing.worst->areaRatio});
+  digest.point({polishing.worst->edgeRatio, polishing.worst->radius});
+}
+
 }  // namespace
 
 std::uint64_t hashOf(const MeshState& state) {
@@ -66,8 +117,7 @@ std::uint64_t hashOf(const MeshState& state) {
   for (const BoundaryPoint& p : state.boundary) {
     digest.point(p.at);
     digest.number(p.t);
-    digest.word(static_cast<std::uint64_t>(p.curve) << 32 ^
-                static_cast<std::uint64_t>(static_cast<std::uint32_t>(p.vertex)));
+    digest.word(static_cast<std::uint64_t>(p.curve) << 32 ^ p.vertex.word());
   }
   add(digest, state.mesh);
   digest.integers(state.front1);
@@ -80,9 +130,7 @@ std::uint64_t hashOf(const MeshState& state) {
               static_cast<std::uint64_t>(state.cursor.inside) << 33 ^ state.cursor.phase);
   digest.word(state.cursor.index);
   digest.word(state.cursor.changes);
-  digest.integers(state.cursor.worklist);
-  digest.integers(state.cursor.next);
-  digest.points(state.cursor.points);
+  std::visit([&](const auto& ahead) { add(digest, ahead); }, state.cursor.ahead);
   digest.word(state.tick);
   digest.word(state.failed ? 1 : 0);
   return digest.value;

@@ -16,7 +16,7 @@
 namespace triscope {
 namespace {
 
-StageCounts& countsOf(MeshState& state) { return state.counts[static_cast<std::size_t>(state.stage)]; }
+StageCounts& countsOf(MeshState& state) { return state.counts[state.stage]; }
 
 void recordStage(MeshState& state, EventKind kind, std::uint64_t subject, Journal& journal) {
   if (!journal.listening()) return;

@@ -20,7 +20,7 @@ struct Placing {
   Cavity cavity;
   LeafPath path;
   Star star;
-  std::vector<std::int32_t> suspects;
+  std::vector<Half> suspects;
   std::vector<Flip> flips;
 };
 
@@ -28,7 +28,7 @@ struct Placing {
 struct TrialRoom {
   Wheel wheel;
   MoveLog log;
-  std::vector<std::int32_t> before;
+  std::vector<Slot> before;
 };
 
 struct Room {

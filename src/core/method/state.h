@@ -2,16 +2,17 @@
 // a run that was never stopped. No pointer into itself, no thread, no callback; domain and method are shared and const.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "core/base/each.h"
 #include "core/density/constraint.h"
 #include "core/density/constraint_search.h"
 #include "core/density/quadtree.h"
 #include "core/domain/domain.h"
 #include "core/mesh/mesh.h"
+#include "core/method/cursor.h"
 #include "core/method/method.h"
 #include "core/method/room.h"
 #include "core/words/settings.h"
@@ -27,25 +28,13 @@ struct StageCounts {
   std::uint64_t removed = 0;
 };
 
-/// Where a stage is. What the fields mean is each stage's own business; all are zero or empty when it begins.
-struct Cursor {
-  bool begun = false;
-  bool inside = false;  // in the middle of item `index`
-  std::uint32_t phase = 0;
-  std::uint64_t index = 0;
-  std::uint64_t changes = 0;  // decisions of this stage that changed something
-  std::vector<std::int32_t> worklist;
-  std::vector<std::int32_t> next;
-  std::vector<Point> points;
-};
-
 /// A boundary point before it is a vertex.
 struct BoundaryPoint {
   Point at;
   std::uint32_t curve = 0;
   double t = 0.0;
   bool kept = false;  // a corner or input point
-  std::int32_t vertex = -1;
+  Vertex vertex;
 };
 
 struct MeshState {
@@ -60,17 +49,17 @@ struct MeshState {
   double estimatedTriangles = 0.0;  // Table 1, known after the density stage
   std::vector<BoundaryPoint> boundary;
   Mesh mesh;
-  std::vector<std::int32_t> front1;  // vertices, in the order placed
-  std::vector<std::int32_t> front2;
-  std::vector<std::int32_t> frontLoops;  // the first front as closed loops of vertices, each ended by -1
-  Stage stage = Stage::constraints;      // the stage that the next decision belongs to
-  std::uint16_t round = 0;               // of steps 2-5, from 1; pass of a stage that refines
-  std::uint64_t roundChanges = 0;        // insertions since this round began
-  std::uint16_t roundsDone = 0;          // rounds of steps 2-5 begun and left behind, and …
-  std::uint16_t passesDone = 0;          // … passes of the refinement; they stay when `round` begins again
+  std::vector<Vertex> front1;  // vertices, in the order placed
+  std::vector<Vertex> front2;
+  std::vector<Vertex> frontLoops;    // the first front as closed loops, each ended by none
+  Stage stage = Stage::constraints;  // the stage that the next decision belongs to
+  std::uint16_t round = 0;           // of steps 2-5, from 1; pass of a stage that refines
+  std::uint64_t roundChanges = 0;    // insertions since this round began
+  std::uint16_t roundsDone = 0;      // rounds of steps 2-5 begun and left behind, and …
+  std::uint16_t passesDone = 0;      // … passes of the refinement; they stay when `round` begins again
   Cursor cursor;
   std::uint64_t tick = 0;  // decisions made
-  std::array<StageCounts, kStageCount> counts{};
+  Each<Stage, StageCounts, kStageCount> counts{};
   bool failed = false;  // the method could not go on; the state stays to be looked at
   Room room;
 };

@@ -15,6 +15,6 @@ struct InputAngle {
 
 /// The smallest angle below 60° between two boundary edges (or borders of the mesh) at a corner of the triangle, with
 /// the triangle between them: section 3 promises its bounds away from such angles.
-std::optional<InputAngle> smallInputAngle(const Mesh& mesh, std::int32_t slot);
+std::optional<InputAngle> smallInputAngle(const Mesh& mesh, Slot slot);
 
 }  // namespace triscope

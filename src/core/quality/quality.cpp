@@ -72,10 +72,11 @@ constexpr double kClearly = 1e-9;  // cosines this far apart are those of differ
 
 constexpr std::size_t kPart = 1024;  // slots
 
+std::size_t partOf(Slot slot) { return static_cast<std::size_t>(slot.n) / kPart; }
 std::size_t partsOf(const Mesh& mesh) { return (mesh.triangles.size() + kPart - 1) / kPart; }
 
 void take(WorstSeen& seen, bool worse, const WorstSeen& candidate) {
-  if (seen.slot == -1 || worse || (candidate.value == seen.value && candidate.id < seen.id)) seen = candidate;
+  if (!seen.slot.exists() || worse || (candidate.value == seen.value && candidate.id < seen.id)) seen = candidate;
 }
 void takeLargest(WorstSeen& seen, const WorstSeen& candidate) { take(seen, candidate.value > seen.value, candidate); }
 void takeSmallest(WorstSeen& seen, const WorstSeen& candidate) { take(seen, candidate.value < seen.value, candidate); }
@@ -87,20 +88,23 @@ void add(RunningSum& sum, double value) {
 }
 double resultOf(const RunningSum& sum) { return sum.total + sum.lost; }
 
+/// How many slots lie between two; far beyond them all when the second is the lower.
+std::size_t between(Slot first, Slot slot) { return static_cast<std::size_t>(slot.n - first.n); }
+
 /// The pairs that belong to a slot. `areas` are those of the slots from `first` on, -1 of those that do not count.
-void addPairs(QualityPart& part, const Mesh& mesh, const InsideBox& inside, std::int32_t slot, std::int32_t first,
+void addPairs(QualityPart& part, const Mesh& mesh, const InsideBox& inside, Slot slot, Slot first,
               const std::array<double, kPart>& areas) {
-  const double here = areas[at(slot - first)];
-  const std::uint32_t id = mesh.ids[at(slot)];
-  for (const std::int32_t across : mesh.triangles[at(slot)].adj) {
-    const std::int32_t other = across / 3;
-    if (across < 0 || other < slot) continue;  // no neighbour, or looked at from there
-    const bool known = at(other - first) < areas.size();
-    const double there = known               ? areas[at(other - first)]
-                         : inside.has(other) ? 0.5 * std::fabs(twiceArea(mesh, other))
-                                             : -1.0;
+  const double here = areas[between(first, slot)];
+  const TriangleId id = mesh.ids[slot];
+  for (const Half across : mesh.triangles[slot].adj) {
+    const Slot other = triangleOf(across);
+    if (!across.exists() || other < slot) continue;  // no neighbour, or looked at from there
+    const std::size_t place = between(first, other);
+    const double there = place < areas.size() ? areas[place]
+                         : inside.has(other)  ? 0.5 * std::fabs(twiceArea(mesh, other))
+                                              : -1.0;
     if (there < 0.0) continue;
-    const std::uint32_t otherId = mesh.ids[at(other)];
+    const TriangleId otherId = mesh.ids[other];
     const bool hereFirst = here > there || (here == there && id < otherId);
     const double smaller = hereFirst ? there : here;
     takeLargest(part.areaRatio, {smaller > 0.0 ? (hereFirst ? here : there) / smaller : kInfinity,
@@ -111,56 +115,55 @@ void addPairs(QualityPart& part, const Mesh& mesh, const InsideBox& inside, std:
 QualityPart measurePart(const Mesh& mesh, const InsideBox& inside, std::size_t which) {
   QualityPart part;
   double smallest = -1.0, largest = 1.0;  // cosines of the smallest and of the largest angle so far
-  const auto end = static_cast<std::int32_t>(std::min((which + 1) * kPart, mesh.triangles.size()));
-  const auto first = static_cast<std::int32_t>(which * kPart);
+  const Slot end(std::min((which + 1) * kPart, mesh.triangles.size()));
+  const Slot first(which * kPart);
   std::array<double, kPart> areas;
   areas.fill(-1.0);
-  for (std::int32_t slot = first; slot < end; ++slot) {
+  for (Slot slot = first; slot < end; ++slot) {
     if (!inside.has(slot)) continue;
-    const auto& v = mesh.triangles[at(slot)].v;
+    const auto& v = mesh.triangles[slot].v;
     TriangleSide sides[3];
-    const TriangleQuality t = withoutAngles(mesh.points[at(v[0])], mesh.points[at(v[1])], mesh.points[at(v[2])], sides);
+    const TriangleQuality t = withoutAngles(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]], sides);
     const double ofSmallest = roughCosine(sides[1].squared, sides[2].squared, sides[0].squared);
     const double ofLargest = roughCosine(sides[0].squared, sides[1].squared, sides[2].squared);
-    const std::uint32_t id = mesh.ids[at(slot)];
-    takeLargest(part.aspect, {t.aspect, id, slot});
-    takeLargest(part.edgeRatio, {t.edgeRatio, id, slot});
+    const TriangleId id = mesh.ids[slot];
+    takeLargest(part.aspect, {t.aspect, id, slot, {}});
+    takeLargest(part.edgeRatio, {t.edgeRatio, id, slot, {}});
     if (!(ofSmallest < smallest - kClearly)) {
-      takeSmallest(part.minAngle, {smallestAngle(sides), id, slot});
+      takeSmallest(part.minAngle, {smallestAngle(sides), id, slot, {}});
       smallest = std::max(smallest, ofSmallest);
     }
     if (!(ofLargest > largest + kClearly)) {
-      takeLargest(part.maxAngle, {largestAngle(sides), id, slot});
+      takeLargest(part.maxAngle, {largestAngle(sides), id, slot, {}});
       largest = std::min(largest, ofLargest);
     }
-    takeSmallest(part.minEdge, {t.shortest, id, slot});
+    takeSmallest(part.minEdge, {t.shortest, id, slot, {}});
     add(part.area, t.area);
     add(part.aspects, t.aspect);
     ++part.triangles;
     if (t.obtuse) ++part.obtuse;
-    areas[at(slot - first)] = std::fabs(t.area);
+    areas[between(first, slot)] = std::fabs(t.area);
   }
-  for (std::int32_t slot = first; slot < end; ++slot)
-    if (areas[at(slot - first)] >= 0.0) addPairs(part, mesh, inside, slot, first, areas);
+  for (Slot slot = first; slot < end; ++slot)
+    if (areas[between(first, slot)] >= 0.0) addPairs(part, mesh, inside, slot, first, areas);
   return part;
 }
 
 /// Whether some triangle that counts has this corner.
-bool isUsed(const Mesh& mesh, const InsideBox& inside, std::int32_t vertex, Star& star) {
-  const std::int32_t slot = mesh.vertexTriangle[at(vertex)];
-  if (slot < 0 || !mesh.alive(slot)) return false;
+bool isUsed(const Mesh& mesh, const InsideBox& inside, Vertex vertex, Star& star) {
+  const Slot slot = mesh.vertexTriangle[vertex];
+  if (!slot.exists() || !mesh.alive(slot)) return false;
   if (!inside.boxed() || inside.has(slot)) return true;
   starOf(mesh, vertex, star);
-  return std::any_of(star.rim.begin(), star.rim.end(),
-                     [&inside](std::int32_t half) { return inside.has(triangleOf(half)); });
+  return std::any_of(star.rim.begin(), star.rim.end(), [&inside](Half half) { return inside.has(triangleOf(half)); });
 }
 
 void countVertices(const Mesh& mesh, const InsideBox& inside, Quality& q) {
   Star star;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (!isUsed(mesh, inside, static_cast<std::int32_t>(v), star)) continue;
+  for (const Vertex v : mesh.points.keys()) {
+    if (!isUsed(mesh, inside, v, star)) continue;
     ++q.vertices;
-    if (mesh.vertexEdge[v] != -1) ++q.boundaryVertices;
+    if (mesh.vertexEdge[v].exists()) ++q.boundaryVertices;
   }
 }
 
@@ -169,7 +172,7 @@ void add(QualityPart& sum, const QualityPart& part) {
   sum.triangles += part.triangles;
   sum.obtuse += part.obtuse;
   takeLargest(sum.aspect, part.aspect);
-  if (part.areaRatio.slot >= 0) takeLargest(sum.areaRatio, part.areaRatio);
+  if (part.areaRatio.slot.exists()) takeLargest(sum.areaRatio, part.areaRatio);
   takeLargest(sum.edgeRatio, part.edgeRatio);
   takeSmallest(sum.minAngle, part.minAngle);
   takeLargest(sum.maxAngle, part.maxAngle);
@@ -190,7 +193,7 @@ Quality together(const Mesh& mesh, const InsideBox& inside, const std::vector<Qu
   if (q.triangles == 0) return q;
   q.aspectMax = all.aspect.value;
   q.aspectAt = all.aspect.slot;
-  q.areaRatioMax = all.areaRatio.slot >= 0 ? all.areaRatio.value : 1.0;
+  q.areaRatioMax = all.areaRatio.slot.exists() ? all.areaRatio.value : 1.0;
   q.areaRatioAt = all.areaRatio.slot;
   q.areaRatioOther = all.areaRatio.other;
   q.edgeRatioMax = all.edgeRatio.value;
@@ -231,10 +234,10 @@ QualityInParts measureInParts(const Mesh& mesh, const Mesh& before, QualityInPar
   if (!changed) return measureInParts(mesh);
   const InsideBox inside(mesh);
   std::vector<std::uint8_t> stale(partsOf(mesh), 0);
-  for (const std::int32_t slot : *changed) {
-    stale[at(slot) / kPart] = 1;
-    for (const std::int32_t across : triangleAt(mesh, slot).adj)
-      if (across >= 0 && at(triangleOf(across)) < mesh.triangles.size()) stale[at(triangleOf(across)) / kPart] = 1;
+  for (const Slot slot : *changed) {
+    stale[partOf(slot)] = 1;
+    for (const Half across : triangleAt(mesh, slot).adj)
+      if (across.exists() && mesh.triangles.has(triangleOf(across))) stale[partOf(triangleOf(across))] = 1;
   }
   const std::size_t known = std::min(measured.parts.size(), stale.size());
   // A part that was cut short, or goes on now, is another one.

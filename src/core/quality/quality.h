@@ -33,26 +33,26 @@ struct Bounds {
 };
 
 /// Worst values over all live triangles but those at a corner of the box around everything; the slot is the triangle
-/// that has it, -1 for an empty mesh. Ties go to the lowest id. Area ratio is over pairs that share an edge: the larger
-/// of the two is named first; where no two do, it is 1.
+/// that has it, none for an empty mesh. Ties go to the lowest id. Area ratio is over pairs that share an edge: the
+/// larger of the two is named first; where no two do, it is 1.
 struct Quality {
   std::size_t vertices = 0;          // that some triangle uses
   std::size_t boundaryVertices = 0;  // of these, ends of a boundary edge (inner chains count)
   std::size_t triangles = 0;
   std::size_t obtuse = 0;
   double aspectMax = 0.0;
-  std::int32_t aspectAt = -1;
+  Slot aspectAt;
   double areaRatioMax = 0.0;
-  std::int32_t areaRatioAt = -1;
-  std::int32_t areaRatioOther = -1;
+  Slot areaRatioAt;
+  Slot areaRatioOther;
   double edgeRatioMax = 0.0;
-  std::int32_t edgeRatioAt = -1;
+  Slot edgeRatioAt;
   double minAngle = 180.0;  // degrees
-  std::int32_t minAngleAt = -1;
+  Slot minAngleAt;
   double maxAngle = 0.0;
-  std::int32_t maxAngleAt = -1;
+  Slot maxAngleAt;
   double minEdge = 0.0;
-  std::int32_t minEdgeAt = -1;
+  Slot minEdgeAt;
   double area = 0.0;
   double aspectMean = 0.0;
 

@@ -11,9 +11,9 @@ namespace triscope {
 /// The worst value seen and where; equal values go to the lowest id, whatever the order of the slots.
 struct WorstSeen {
   double value = 0.0;
-  std::uint32_t id = 0;
-  std::int32_t slot = -1;
-  std::int32_t other = -1;
+  TriangleId id;
+  Slot slot;
+  Slot other;
 };
 
 /// A running sum that keeps what each addition rounds away.

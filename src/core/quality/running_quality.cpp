@@ -11,21 +11,19 @@ namespace {
 
 constexpr double kNone = -1e308;  // a slot without a triangle
 
-Point cornerOfSlot(const Mesh& mesh, std::int32_t slot, std::size_t i) {
-  return pointOf(mesh, triangleAt(mesh, slot).v[i]);
-}
+Point cornerOfSlot(const Mesh& mesh, Slot slot, std::size_t i) { return pointOf(mesh, triangleAt(mesh, slot).v[i]); }
 
 double sign(std::size_t measure) { return measure == static_cast<std::size_t>(Measure::min_angle) ? -1.0 : 1.0; }
 
 }  // namespace
 
-MeasureValues measuresOf(const Mesh& mesh, std::int32_t slot) {
+MeasureValues measuresOf(const Mesh& mesh, Slot slot) {
   const TriangleQuality q =
       qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2));
   double ratio = 1.0;  // of a triangle without neighbours
   const double own = std::fabs(twiceArea(mesh, slot));
-  for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-    if (across < 0 || touchesHelper(mesh, triangleOf(across))) continue;
+  for (const Half across : triangleAt(mesh, slot).adj) {
+    if (!across.exists() || touchesHelper(mesh, triangleOf(across))) continue;
     const double other = std::fabs(twiceArea(mesh, triangleOf(across)));
     ratio = std::max(ratio, std::max(own, other) / std::min(own, other));
   }
@@ -48,9 +46,9 @@ void RunningQuality::grow(std::size_t slots) {
   stamp_.resize(capacity, 0);
 }
 
-void RunningQuality::set(std::size_t measure, std::int32_t slot, double value) {
+void RunningQuality::set(std::size_t measure, Slot slot, double value) {
   std::vector<double>& tree = trees_[measure];
-  std::size_t k = capacity_ + at(slot);
+  std::size_t k = capacity_ + static_cast<std::size_t>(slot.n);
   tree[k] = value;
   while (k > 1) {
     k /= 2;
@@ -60,10 +58,10 @@ void RunningQuality::set(std::size_t measure, std::int32_t slot, double value) {
   }
 }
 
-void RunningQuality::measure(const Mesh& mesh, std::int32_t slot) {
-  if (stamp_[at(slot)] == update_) return;
-  stamp_[at(slot)] = update_;
-  std::uint8_t& state = obtuseAt_[at(slot)];
+void RunningQuality::measure(const Mesh& mesh, Slot slot) {
+  if (stamp_[slot] == update_) return;
+  stamp_[slot] = update_;
+  std::uint8_t& state = obtuseAt_[slot];
   obtuse_ -= state & 1u;
   triangles_ -= state >> 1u;
   const bool counts = mesh.alive(slot) && !touchesHelper(mesh, slot);
@@ -85,17 +83,17 @@ void RunningQuality::reset(const Mesh& mesh) {
   *this = {};
   grow(mesh.triangles.size());
   ++update_;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) measure(mesh, static_cast<std::int32_t>(slot));
+  for (const Slot slot : mesh.triangles.keys()) measure(mesh, slot);
 }
 
-void RunningQuality::update(const Mesh& mesh, const std::vector<std::int32_t>& slots) {
+void RunningQuality::update(const Mesh& mesh, const std::vector<Slot>& slots) {
   grow(mesh.triangles.size());
   ++update_;
-  for (const std::int32_t slot : slots) {
+  for (const Slot slot : slots) {
     measure(mesh, slot);
     // A dead slot still names the neighbours it had.
-    for (const std::int32_t across : triangleAt(mesh, slot).adj) {
-      if (across >= 0) measure(mesh, triangleOf(across));
+    for (const Half across : triangleAt(mesh, slot).adj) {
+      if (across.exists()) measure(mesh, triangleOf(across));
     }
   }
 }
@@ -106,12 +104,12 @@ double RunningQuality::worst(Measure measure) const {
   return sign(m) * trees_[m][1];
 }
 
-std::int32_t RunningQuality::worstSlot(Measure measure) const {
-  if (triangles_ == 0) return -1;
+Slot RunningQuality::worstSlot(Measure measure) const {
+  if (triangles_ == 0) return {};
   const std::vector<double>& tree = trees_[static_cast<std::size_t>(measure)];
   std::size_t k = 1;
   while (k < capacity_) k = tree[2 * k] == tree[k] ? 2 * k : 2 * k + 1;
-  return static_cast<std::int32_t>(k - capacity_);
+  return Slot(k - capacity_);
 }
 
 }  // namespace triscope

@@ -15,22 +15,23 @@ namespace {
 
 constexpr double kAreaTolerance = 1e-9;  // of the area: the sums are plain
 
-std::uint8_t brokenIn(const MeshState& state, std::int32_t slot, double squaredShortest) {
+std::uint8_t brokenIn(const MeshState& state, Slot slot, double squaredShortest) {
   const Mesh& mesh = state.mesh;
   const Triangle& t = triangleAt(mesh, slot);
   std::uint8_t broken = 0;
   if (orient2d(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])) <= 0) broken |= kOrientation;
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t half = 3 * slot + i;
+    const Half half = halfOf(slot, i);
     if (flipWanted(mesh, half)) broken |= kDelaunay;
     // Edges between points that the input fixes are as long as the input makes them.
-    const std::int32_t a = startOf(mesh, half), b = endOf(mesh, half);
-    const bool fixed = mesh.kinds[at(a)] <= VertexKind::kept && mesh.kinds[at(b)] <= VertexKind::kept;
+    const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
+    const bool fixed = mesh.kinds[a] <= VertexKind::kept && mesh.kinds[b] <= VertexKind::kept;
     if (!fixed && squaredDistance(pointOf(mesh, a), pointOf(mesh, b)) < squaredShortest) broken |= kMinimumLength;
     if (state.stage <= Stage::recovery) continue;
-    for (std::int32_t e = mesh.vertexEdge[at(a)]; e >= 0;) {
-      const BoundaryEdge& edge = mesh.edges[at(e)];
-      if (findHalfEdge(mesh, edge.v0, edge.v1) < 0 && findHalfEdge(mesh, edge.v1, edge.v0) < 0) broken |= kBoundary;
+    for (EdgeId e = mesh.vertexEdge[a]; e.exists();) {
+      const BoundaryEdge& edge = mesh.edges[e];
+      if (!findHalfEdge(mesh, edge.v0, edge.v1).exists() && !findHalfEdge(mesh, edge.v1, edge.v0).exists())
+        broken |= kBoundary;
       e = edge.v0 == a ? edge.next0 : edge.next1;
     }
   }
@@ -43,7 +44,7 @@ bool balanced(const Quadtree& tree) {
     if (tree.cells[k].child >= 0) continue;
     neighboursOf(tree, static_cast<std::int32_t>(k), beside);
     for (const std::int32_t other : beside)
-      if (std::abs(tree.cells[at(other)].rank - tree.cells[k].rank) > 1) return false;
+      if (std::abs(tree.cells[static_cast<std::size_t>(other)].rank - tree.cells[k].rank) > 1) return false;
   }
   return true;
 }
@@ -56,8 +57,8 @@ bool fillsTheDomain(const MeshState& state) {
   for (const BoundaryEdge& edge : mesh.edges)
     if (loopOf(*state.domain, edge.curve).role != LoopRole::chain)
       inside += cross(pointOf(mesh, edge.v0) - origin, pointOf(mesh, edge.v1) - origin);
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot)
-    if (mesh.alive(static_cast<std::int32_t>(slot))) filled += twiceArea(mesh, static_cast<std::int32_t>(slot));
+  for (const Slot slot : mesh.triangles.keys())
+    if (mesh.alive(slot)) filled += twiceArea(mesh, slot);
   return std::fabs(filled - inside) <= kAreaTolerance * std::fabs(inside);
 }
 
@@ -65,12 +66,12 @@ bool fillsTheDomain(const MeshState& state) {
 
 double shortestAllowed(const MeshState& state) { return std::min(state.minEdge, shortestLine(*state.domain).length); }
 
-std::uint8_t brokenRules(const MeshState& state, std::span<const std::int32_t> changed, std::span<const Event> events,
+std::uint8_t brokenRules(const MeshState& state, std::span<const Slot> changed, std::span<const Event> events,
                          double shortest) {
   // Before the carving edges may run outside the domain, across a thin part of it.
   const double squaredShortest = isCarved(state.stage) ? shortest * shortest * (1.0 - 1e-9) : 0.0;
   std::uint8_t broken = 0;
-  for (const std::int32_t slot : changed)
+  for (const Slot slot : changed)
     if (state.mesh.alive(slot)) broken |= brokenIn(state, slot, squaredShortest);
   for (const Event& event : events) {
     if (event.kind != EventKind::stage_finished) continue;

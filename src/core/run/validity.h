@@ -24,7 +24,7 @@ double shortestAllowed(const MeshState& state);
 
 /// Bits of the rules broken after a decision that changed these slots and made these events. Balance and area are
 /// looked at where a stage ends.
-std::uint8_t brokenRules(const MeshState& state, std::span<const std::int32_t> changed, std::span<const Event> events,
+std::uint8_t brokenRules(const MeshState& state, std::span<const Slot> changed, std::span<const Event> events,
                          double shortest);
 
 }  // namespace triscope

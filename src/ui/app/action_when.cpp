@@ -6,8 +6,8 @@ namespace {
 
 constexpr const char* kOpening = "Another domain is being opened; wait, or press Esc to keep this one.";
 
-std::string hasWorst(const RunView& view, std::int32_t Quality::* slot) {
-  if (view.now() == nullptr || view.now()->quality.*slot < 0) return "There are no triangles to judge yet.";
+std::string hasWorst(const RunView& view, Slot Quality::* slot) {
+  if (view.now() == nullptr || !(view.now()->quality.*slot).exists()) return "There are no triangles to judge yet.";
   return {};
 }
 

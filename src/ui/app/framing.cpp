@@ -27,18 +27,17 @@ void zoomMiddle(Desk& desk, double factor) {
   desk.ui.fitted = false;
 }
 
-void showWorst(Desk& desk, std::int32_t slot, std::int32_t other) {
+void showWorst(Desk& desk, Slot slot, Slot other) {
   const Mesh& mesh = desk.shown->state.mesh;
   Box box;
-  for (const std::int32_t one : {slot, other})
-    if (one >= 0)
-      for (const std::int32_t v : mesh.triangles[static_cast<std::size_t>(one)].v)
-        box.include(mesh.points[static_cast<std::size_t>(v)]);
+  for (const Slot one : {slot, other})
+    if (one.exists())
+      for (const Vertex v : mesh.triangles[one].v) box.include(mesh.points[v]);
   const double reach = 3.0 * std::max(box.width(), box.height());  // with its surroundings
   box.include(box.lo - Point{reach, reach});
   box.include(box.hi + Point{reach, reach});
   frameBox(desk.ui, box);
-  select(desk.ui, {{Selection::Kind::triangle, slot, -1}, mesh.ids[static_cast<std::size_t>(slot)], 0.0});
+  select(desk.ui, pickOf(mesh, slot));
 }
 
 }  // namespace triscope

@@ -11,6 +11,6 @@ void frameBox(UiState& ui, const Box& box, double marginAt100 = 0.0);
 void fit(Desk& desk, double above);
 void zoomMiddle(Desk& desk, double factor);
 /// Frames a triangle, and its neighbour `other` if that is not -1, with its surroundings; selects it.
-void showWorst(Desk& desk, std::int32_t slot, std::int32_t other);
+void showWorst(Desk& desk, Slot slot, Slot other);
 
 }  // namespace triscope

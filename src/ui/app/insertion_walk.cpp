@@ -35,12 +35,12 @@ Box circlesOf(const Insertion& insertion) {
 Box extentOf(const Insertion& insertion, const Mesh& mesh) {
   Box box;
   box.include(insertion.at);
-  const auto add = [&](std::int32_t slot) {
-    for (const std::int32_t v : triangleAt(mesh, slot).v) box.include(pointOf(mesh, v));
+  const auto add = [&](Slot slot) {
+    for (const Vertex v : triangleAt(mesh, slot).v) box.include(pointOf(mesh, v));
   };
-  if (insertion.candidate >= 0) add(insertion.candidate);
-  for (const std::int32_t slot : insertion.walk) add(slot);
-  for (const std::int32_t slot : insertion.cavity.triangles()) add(slot);
+  if (insertion.candidate.exists()) add(insertion.candidate);
+  for (const Slot slot : insertion.walk) add(slot);
+  for (const Slot slot : insertion.cavity.triangles()) add(slot);
   if (const Box circles = circlesOf(insertion); !circles.empty()) {
     box.include(circles.lo);
     box.include(circles.hi);

@@ -8,6 +8,7 @@
 
 #include "core/base/json_text.h"
 #include "core/base/output_set.h"
+#include "core/mesh/centroid.h"
 #include "core/method/pipeline.h"
 #include "ui/model/pinned_run.h"
 #include "ui/panel/panels.h"
@@ -80,24 +81,19 @@ std::string widgets(const std::vector<WidgetRect>& all) {
 
 /// Where the selected element is, in the world.
 Point placeOf(const Selection& s, const MeshState& state) {
-  const auto at = [](std::int32_t i) { return static_cast<std::size_t>(i); };
   const Mesh& mesh = state.mesh;
   if (!isPartOf(state, s)) return {};
   switch (s.kind) {
     case Selection::Kind::none:
       return {};
     case Selection::Kind::vertex:
-      return mesh.points[at(s.index)];
-    case Selection::Kind::edge: {
-      const Triangle& t = mesh.triangles[at(s.index)];
-      return midpoint(mesh.points[at(t.v[at((s.edge + 1) % 3)])], mesh.points[at(t.v[at((s.edge + 2) % 3)])]);
-    }
-    case Selection::Kind::triangle: {
-      const Triangle& t = mesh.triangles[at(s.index)];
-      return (1.0 / 3.0) * (mesh.points[at(t.v[0])] + mesh.points[at(t.v[1])] + mesh.points[at(t.v[2])]);
-    }
+      return pointOf(mesh, s.vertex());
+    case Selection::Kind::edge:
+      return midpoint(pointOf(mesh, startOf(mesh, s.half())), pointOf(mesh, endOf(mesh, s.half())));
+    case Selection::Kind::triangle:
+      return centroidOf(mesh, s.slot());
     case Selection::Kind::cell: {
-      const Cell& cell = state.tree.cells[at(s.index)];
+      const Cell& cell = state.tree.cells[static_cast<std::size_t>(s.index)];
       const double half = 0.5 * state.tree.side(cell);
       return state.tree.corner(cell) + Point{half, half};
     }

@@ -35,7 +35,7 @@ void update(Answers& answers, const Session& session, const std::optional<Ref>& 
   const Events events = session.events();
   TriangleFacts facts;
   if (about->kind == Ref::Kind::triangle) {
-    facts = factsOf(now->state.mesh, about->id).value_or(TriangleFacts{});
+    facts = factsOf(now->state.mesh, TriangleId(about->id)).value_or(TriangleFacts{});
     answers.whyNot = whyNot(events, about->id, facts);
   }
   answers.why = why(events, *about, facts);
@@ -59,10 +59,9 @@ void update(Histogram& histogram, const Session& session, Measure measure) {
   const Mesh& mesh = now->state.mesh;
   const InsideBox inside(mesh);
   std::vector<double> values;
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    const auto at = static_cast<std::int32_t>(slot);
-    if (!inside.has(at)) continue;
-    const double value = measuresOf(mesh, at)[static_cast<std::size_t>(measure)];
+  for (const Slot slot : mesh.triangles.keys()) {
+    if (!inside.has(slot)) continue;
+    const double value = measuresOf(mesh, slot)[static_cast<std::size_t>(measure)];
     if (std::isfinite(value)) values.push_back(value);
   }
   if (values.empty()) return;

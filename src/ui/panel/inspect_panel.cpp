@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/index_text.h"
 #include "core/base/number.h"
 #include "core/density/wanted.h"
 #include "core/explain/caption.h"
@@ -40,20 +41,17 @@ std::string_view nameOf(VertexKind kind) {
   return "";
 }
 
-void selectTriangle(Orders& orders, const Mesh& mesh, std::int32_t slot) {
-  orders.emplace_back(order::SelectElement{{{Selection::Kind::triangle, slot, -1}, mesh.ids[at(slot)], 0.0}});
+void selectTriangle(Orders& orders, const Mesh& mesh, Slot slot) {
+  orders.emplace_back(order::SelectElement{pickOf(mesh, slot)});
 }
 
-void selectVertex(Orders& orders, std::int32_t vertex) {
-  orders.emplace_back(
-      order::SelectElement{{{Selection::Kind::vertex, vertex, -1}, static_cast<std::uint32_t>(vertex), 0.0}});
-}
+void selectVertex(Orders& orders, Vertex vertex) { orders.emplace_back(order::SelectElement{pickOf(vertex)}); }
 
 /// A link on the line begun.
-void linkTo(const View& view, Orders& orders, std::int32_t vertex) {
+void linkTo(const View& view, Orders& orders, Vertex vertex) {
   ImGui::SameLine();
-  ImGui::PushID(vertex);
-  if (link(view, std::to_string(vertex))) selectVertex(orders, vertex);
+  ImGui::PushID(vertex.n);
+  if (link(view, std::to_string(vertex.n))) selectVertex(orders, vertex);
   ImGui::PopID();
 }
 
@@ -66,10 +64,10 @@ void birth(const View& view, Ref ref) {
   muted(view, fmt::format("Event {}. {}", grouped(*born), captionOf(events[*born])));
 }
 
-void inspectTriangle(const View& view, Orders& orders, const MeshState& state, std::int32_t slot) {
+void inspectTriangle(const View& view, Orders& orders, const MeshState& state, Slot slot) {
   const Mesh& mesh = state.mesh;
-  const Triangle& t = mesh.triangles[at(slot)];
-  const auto corner = [&](int i) { return mesh.points[at(t.v[static_cast<std::size_t>(i)])]; };
+  const Triangle& t = mesh.triangles[slot];
+  const auto corner = [&](int i) { return mesh.points[t.v[i]]; };
   const TriangleQuality q = qualityOf(corner(0), corner(1), corner(2));
   const Color bad = view.theme().worstAspect;
   const auto judged = [&](const char* label, const std::string& value, bool good) {
@@ -87,70 +85,68 @@ void inspectTriangle(const View& view, Orders& orders, const MeshState& state, s
   figure(view, "area", compact(std::fabs(q.area), 4));
 
   ImGui::TextDisabled("vertices");
-  for (const std::int32_t v : t.v) linkTo(view, orders, v);
+  for (const Vertex v : t.v) linkTo(view, orders, v);
   heading(view, "Neighbours and area ratios");
-  for (const std::int32_t half : t.adj) {
-    if (half < 0) {
+  for (const Half half : t.adj) {
+    if (!half.exists()) {
       muted(view, "boundary");
       continue;
     }
-    const std::int32_t other = half / 3;
+    const Slot other = triangleOf(half);
     const double area = std::fabs(0.5 * twiceArea(mesh, other));
     const double mine = std::fabs(q.area);
     const double ratio = area > mine ? area / mine : mine / area;
-    ImGui::PushID(other);
-    if (link(view, fmt::format("triangle {}", mesh.ids[at(other)]))) selectTriangle(orders, mesh, other);
+    ImGui::PushID(other.n);
+    if (link(view, fmt::format("triangle {}", mesh.ids[other]))) selectTriangle(orders, mesh, other);
     ImGui::PopID();
     const std::string value = fmt::format("{:.3f}", ratio);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(value.c_str()).x);
     ImGui::TextColored(toImVec4(ratio < Bounds::areaRatio ? view.theme().text : bad), "%s", value.c_str());
   }
-  birth(view, {Ref::Kind::triangle, mesh.ids[at(slot)]});
+  birth(view, {Ref::Kind::triangle, mesh.ids[slot].n});
 }
 
-void inspectVertex(const View& view, Orders& orders, const MeshState& state, std::int32_t vertex) {
+void inspectVertex(const View& view, Orders& orders, const MeshState& state, Vertex vertex) {
   const Mesh& mesh = state.mesh;
-  figure(view, "kind", std::string(nameOf(mesh.kinds[at(vertex)])));
-  figure(view, "position", place(mesh.points[at(vertex)]));
-  if (const std::optional<Wanted> wanted = wantedAt(state.tree, mesh.points[at(vertex)])) {
+  figure(view, "kind", std::string(nameOf(mesh.kinds[vertex])));
+  figure(view, "position", place(mesh.points[vertex]));
+  if (const std::optional<Wanted> wanted = wantedAt(state.tree, mesh.points[vertex])) {
     figure(view, "edge length h wanted here", compact(wanted->length, 4));
     figure(view, "density rank here", std::to_string(wanted->rank));
   }
-  if (mesh.vertexTriangle[at(vertex)] < 0) return;
+  if (!mesh.vertexTriangle[vertex].exists()) return;
   Star star;
   starOf(mesh, vertex, star);
-  const std::vector<std::int32_t> slots = slotsOf(star);
+  const std::vector<Slot> slots = slotsOf(star);
   figure(view, "triangles around it", std::to_string(slots.size()));
-  for (const std::int32_t slot : slots) {
-    ImGui::PushID(slot);
-    if (link(view, fmt::format("triangle {}", mesh.ids[at(slot)]))) selectTriangle(orders, mesh, slot);
+  for (const Slot slot : slots) {
+    ImGui::PushID(slot.n);
+    if (link(view, fmt::format("triangle {}", mesh.ids[slot]))) selectTriangle(orders, mesh, slot);
     ImGui::PopID();
   }
-  birth(view, {Ref::Kind::vertex, static_cast<std::uint32_t>(vertex)});
+  birth(view, {Ref::Kind::vertex, vertex.word()});
 }
 
 void inspectEdge(const View& view, Orders& orders, const MeshState& state, const Selection& selection) {
   const Mesh& mesh = state.mesh;
-  const Triangle& t = mesh.triangles[at(selection.index)];
-  const std::int32_t a = t.v[at((selection.edge + 1) % 3)];
-  const std::int32_t b = t.v[at((selection.edge + 2) % 3)];
-  figure(view, "length", compact(distance(mesh.points[at(a)], mesh.points[at(b)]), 4));
-  const bool constrained = (mesh.flags[at(selection.index)] & (kConstrained0 << selection.edge)) != 0;
-  figure(view, "kind", constrained ? "on the boundary" : "inside");
+  const Half half = selection.half();
+  const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
+  figure(view, "length", compact(distance(mesh.points[a], mesh.points[b]), 4));
+  figure(view, "kind", constrained(mesh, half) ? "on the boundary" : "inside");
   ImGui::TextDisabled("between vertices");
   linkTo(view, orders, a);
   linkTo(view, orders, b);
-  for (const std::int32_t slot :
-       {selection.index, t.adj[at(selection.edge)] < 0 ? -1 : t.adj[at(selection.edge)] / 3}) {
-    if (slot < 0) continue;
-    ImGui::PushID(slot);
-    if (link(view, fmt::format("triangle {}", mesh.ids[at(slot)]))) selectTriangle(orders, mesh, slot);
+  for (const Half side : {half, oppositeOf(mesh, half)}) {
+    if (!side.exists()) continue;
+    const Slot slot = triangleOf(side);
+    ImGui::PushID(slot.n);
+    if (link(view, fmt::format("triangle {}", mesh.ids[slot]))) selectTriangle(orders, mesh, slot);
     ImGui::PopID();
   }
 }
 
 void inspectCell(const View& view, const MeshState& state, std::int32_t index) {
-  const Cell& cell = state.tree.cells[at(index)];
+  const Cell& cell = state.tree.cells[static_cast<std::size_t>(index)];
   figure(view, "cell rank j", fmt::format("{}", cell.rank));
   figure(view, "side", compact(state.tree.side(cell), 4));
   figure(view, "density rank i", fmt::format("{}", cell.density));
@@ -201,10 +197,10 @@ void drawInspect(const View& view, Orders& orders) {
   const MeshState& state = view.now()->state;
   switch (here.kind) {
     case Selection::Kind::triangle:
-      inspectTriangle(view, orders, state, here.index);
+      inspectTriangle(view, orders, state, here.slot());
       break;
     case Selection::Kind::vertex:
-      inspectVertex(view, orders, state, here.index);
+      inspectVertex(view, orders, state, here.vertex());
       break;
     case Selection::Kind::edge:
       inspectEdge(view, orders, state, here);

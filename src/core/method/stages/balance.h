@@ -5,10 +5,10 @@
 
 namespace triscope {
 
-/// Puts every leaf on the cursor's worklist.
+/// Puts every leaf among the cells ahead.
 void queueLeaves(MeshState& state);
-/// Splits one leaf that is more than one rank larger than a neighbour on the worklist; `worked` when none was found
-/// yet, done when there is none.
+/// Splits one leaf that is more than one rank larger than a neighbour among the cells ahead; `worked` when none was
+/// found yet, done when there is none.
 Outcome balanceOne(MeshState& state, Journal& journal);
 
 }  // namespace triscope

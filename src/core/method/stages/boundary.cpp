@@ -76,7 +76,7 @@ void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   for (std::size_t k = 0; k < params.size(); ++k) {
     const bool end = k == 0 || k + 1 == params.size();
     const Point at = k == 0 ? curve.a : k + 1 == params.size() ? curve.b : pointAt(curve, params[k]);
-    state.boundary.push_back({at, index, params[k], end, -1});
+    state.boundary.push_back({at, index, params[k], end, {}});
   }
 }
 

@@ -11,36 +11,37 @@ namespace {
 // loop's edge, or from the box around everything, without crossing a boundary edge.
 void findOutside(MeshState& state) {
   Mesh& mesh = state.mesh;
-  std::vector<std::int32_t>& outside = state.cursor.worklist;
-  std::vector<std::uint8_t> seen(mesh.triangles.size(), 0);
-  const auto reach = [&](std::int32_t slot) {
-    if (seen[at(slot)] != 0) return;
-    seen[at(slot)] = 1;
+  std::vector<Slot>& outside = state.cursor.of<SlotsAhead>().slots;
+  Per<Slot, std::uint8_t> seen(mesh.triangles.size(), 0);
+  const auto reach = [&](Slot slot) {
+    if (seen[slot] != 0) return;
+    seen[slot] = 1;
     outside.push_back(slot);
   };
   for (const BoundaryEdge& edge : mesh.edges) {
-    const std::int32_t inside = findHalfEdge(mesh, edge.v0, edge.v1);
-    TRISCOPE_CHECK(inside >= 0 && oppositeOf(mesh, inside) >= 0, "after the recovery no boundary edge is missing");
-    const std::int32_t across = oppositeOf(mesh, inside);
+    const Half inside = findHalfEdge(mesh, edge.v0, edge.v1);
+    TRISCOPE_CHECK(inside.exists() && oppositeOf(mesh, inside).exists(),
+                   "after the recovery no boundary edge is missing");
+    const Half across = oppositeOf(mesh, inside);
     setConstrained(mesh, inside, true);
     setConstrained(mesh, across, true);
   }
-  for (std::int32_t helper = 0; helper < 4; ++helper) reach(mesh.vertexTriangle[at(helper)]);
+  for (int helper = 0; helper < 4; ++helper) reach(mesh.vertexTriangle[Vertex(helper)]);
   for (const BoundaryEdge& edge : mesh.edges) {
     if (loopOf(*state.domain, edge.curve).role == LoopRole::chain) continue;
     reach(triangleOf(findHalfEdge(mesh, edge.v1, edge.v0)));
   }
   for (std::size_t k = 0; k < outside.size(); ++k) {
     for (int i = 0; i < 3; ++i) {
-      const std::int32_t half = 3 * outside[k] + i;
-      const std::int32_t across = oppositeOf(mesh, half);
-      if (across >= 0 && !constrained(mesh, half)) reach(triangleOf(across));
+      const Half half = halfOf(outside[k], i);
+      const Half across = oppositeOf(mesh, half);
+      if (across.exists() && !constrained(mesh, half)) reach(triangleOf(across));
     }
   }
-  for (std::size_t slot = 0; slot < mesh.triangles.size(); ++slot) {
-    if (seen[slot] != 0 || !mesh.alive(static_cast<std::int32_t>(slot))) continue;
-    for (const std::int32_t v : mesh.triangles[slot].v) mesh.vertexTriangle[at(v)] = static_cast<std::int32_t>(slot);
-    mesh.lastTriangle = static_cast<std::int32_t>(slot);
+  for (const Slot slot : mesh.triangles.keys()) {
+    if (seen[slot] != 0 || !mesh.alive(slot)) continue;
+    for (const Vertex v : mesh.triangles[slot].v) mesh.vertexTriangle[v] = slot;
+    mesh.lastTriangle = slot;
   }
 }
 
@@ -53,25 +54,26 @@ Outcome runCarve(MeshState& state, Journal& journal) {
     cursor.begun = true;
     findOutside(state);
   }
-  if (cursor.index == cursor.worklist.size()) {
-    for (std::size_t helper = 0; helper < 4; ++helper) {
-      mesh.kinds[helper] = VertexKind::removed;
-      mesh.vertexTriangle[helper] = -1;
+  const std::vector<Slot>& outside = cursor.of<SlotsAhead>().slots;
+  if (cursor.index == outside.size()) {
+    for (int helper = 0; helper < 4; ++helper) {
+      mesh.kinds[Vertex(helper)] = VertexKind::removed;
+      mesh.vertexTriangle[Vertex(helper)] = {};
     }
     return Outcome::done;
   }
-  const std::int32_t slot = cursor.worklist[cursor.index++];
+  const Slot slot = outside[cursor.index++];
   if (journal.listening()) {
     Event event = eventIn(state, EventKind::triangle_removed, Rule::carve);
-    event.subject = idOf(mesh, slot);
+    event.subject = idOf(mesh, slot).n;
     event.removedCount = 1;
     const Triangle& t = triangleAt(mesh, slot);
     event.at = (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
     journal.record(event);
   }
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t across = oppositeOf(mesh, 3 * slot + i);
-    if (across >= 0) mesh.triangles[at(triangleOf(across))].adj[static_cast<std::size_t>(cornerOf(across))] = -1;
+    const Half across = oppositeOf(mesh, halfOf(slot, i));
+    if (across.exists()) mesh.triangles[triangleOf(across)].adj[cornerOf(across)] = {};
   }
   killTriangle(mesh, slot);
   return Outcome::decided;

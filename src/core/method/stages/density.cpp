@@ -14,21 +14,20 @@ namespace {
 enum DensityPhase : std::uint32_t { advancing_front, balancing_densities, classifying, classified };
 constexpr std::size_t kRanks = 256;
 
-// The front is kept in buckets by density rank: worklist[rank] heads a list of entries in `next`, each a cell and the
-// index of the entry after it. A cell may wait in two buckets; the one that no longer fits its rank is stale.
 void push(MeshState& state, std::int32_t leaf) {
   Cursor& cursor = state.cursor;
+  RankFront& front = cursor.of<RankFront>();
   const std::size_t rank = state.tree.cells[static_cast<std::size_t>(leaf)].density;
-  cursor.next.push_back(leaf);
-  cursor.next.push_back(cursor.worklist[rank]);
-  cursor.worklist[rank] = static_cast<std::int32_t>(cursor.next.size()) - 2;
+  const auto entry = static_cast<std::int32_t>(front.entries.size());
+  front.entries.push_back({leaf, front.first[rank]});
+  front.first[rank] = entry;
   cursor.index = std::min<std::uint64_t>(cursor.index, rank);
 }
 
 void begin(MeshState& state) {
   Cursor& cursor = state.cursor;
   cursor.begun = true;
-  cursor.worklist.assign(kRanks, -1);
+  cursor.of<RankFront>().first.assign(kRanks, -1);
   cursor.index = kRanks;
   for (std::size_t k = state.tree.cells.size(); k-- > 0;) {
     const Cell& cell = state.tree.cells[k];
@@ -66,14 +65,15 @@ Outcome rankNeighbour(MeshState& state, std::int32_t leaf, std::int32_t other, J
 
 Outcome advanceFront(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
+  RankFront& front = cursor.of<RankFront>();
   for (int looked = 0; cursor.index < kRanks; ++looked) {
     if (looked == kPiece) return Outcome::worked;
-    const std::int32_t entry = cursor.worklist[cursor.index];
-    if (entry < 0) {
+    const std::int32_t first = front.first[cursor.index];
+    if (first < 0) {
       ++cursor.index;
       continue;
     }
-    const std::int32_t leaf = cursor.next[static_cast<std::size_t>(entry)];
+    const auto [leaf, next] = front.entries[static_cast<std::size_t>(first)];
     Cell& cell = state.tree.cells[static_cast<std::size_t>(leaf)];
     const bool stale = cell.child >= 0 || cell.density != cursor.index;
     if (!stale) {
@@ -81,7 +81,7 @@ Outcome advanceFront(MeshState& state, Journal& journal) {
       const std::int32_t other = unvisitedNeighbour(state.tree, leaf, state.room.placing.path);
       if (other >= 0) return rankNeighbour(state, leaf, other, journal);
     }
-    cursor.worklist[cursor.index] = cursor.next[static_cast<std::size_t>(entry) + 1];
+    front.first[cursor.index] = next;
   }
   return Outcome::done;
 }

@@ -21,7 +21,7 @@ constexpr double kNearest = 0.7;            // of the edge length h, to any othe
 constexpr std::size_t kInLoopOrder = 4096;  // points at most that are placed in the order of the loops
 
 struct Sector {
-  std::int32_t vertex;
+  Vertex vertex;
   Point toNext, toPrevious;  // the domain lies counter-clockwise from the first to the second
   std::size_t next;          // sector that follows along the front
   std::size_t firstSpoke = 0;
@@ -30,7 +30,7 @@ struct Sector {
 
 struct FrontSpoke {
   Point tip;
-  std::int32_t vertex;
+  Vertex vertex;
   std::size_t group;  // spokes of a group are merged; the lowest index stands for it
 };
 
@@ -78,32 +78,31 @@ void mergeOverEdges(const std::vector<Sector>& sectors, std::vector<FrontSpoke>&
 // Sectors of the boundary: around each vertex, from one boundary edge to the next.
 std::vector<Sector> boundarySectors(const Mesh& mesh) {
   struct Key {
-    std::int32_t half;  // v -> next vertex along the boundary, domain to the left
+    Half half;  // v -> next vertex along the boundary, domain to the left
     std::size_t sector;
   };
   std::vector<Sector> sectors;
   std::vector<Key> starts;
-  std::vector<std::int32_t> ends;  // per sector: half-edge previous -> v
+  std::vector<Half> ends;  // per sector: half-edge previous -> v
   Star star;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    if (mesh.vertexEdge[v] < 0) continue;
-    const auto vertex = static_cast<std::int32_t>(v);
+  for (const Vertex vertex : mesh.points.keys()) {
+    if (!mesh.vertexEdge[vertex].exists()) continue;
     starOf(mesh, vertex, star);
     // A full star of an inner chain begins anywhere: turn it to begin at a boundary edge.
     if (star.closed) {
-      const auto first = std::find_if(star.rim.begin(), star.rim.end(), [&](std::int32_t half) {
-        return constrained(mesh, 3 * triangleOf(half) + prev3(cornerOf(half)));
+      const auto first = std::find_if(star.rim.begin(), star.rim.end(), [&](Half half) {
+        return constrained(mesh, halfOf(triangleOf(half), prev3(cornerOf(half))));
       });
       std::rotate(star.rim.begin(), first, star.rim.end());
     }
     const Point at0 = pointOf(mesh, vertex);
-    for (const std::int32_t rim : star.rim) {
-      const std::int32_t out = 3 * triangleOf(rim) + prev3(cornerOf(rim));
-      const std::int32_t in = 3 * triangleOf(rim) + next3(cornerOf(rim));
+    for (const Half rim : star.rim) {
+      const Half out = halfOf(triangleOf(rim), prev3(cornerOf(rim)));
+      const Half in = halfOf(triangleOf(rim), next3(cornerOf(rim)));
       if (constrained(mesh, out)) {
         starts.push_back({out, sectors.size()});
         sectors.push_back({vertex, pointOf(mesh, startOf(mesh, rim)) - at0, {}, 0});
-        ends.push_back(-1);
+        ends.emplace_back();
       }
       sectors.back().toPrevious = pointOf(mesh, endOf(mesh, rim)) - at0;
       ends.back() = in;
@@ -113,8 +112,8 @@ std::vector<Sector> boundarySectors(const Mesh& mesh) {
   for (std::size_t k = 0; k < ends.size(); ++k) byEnd[k] = {ends[k], k};
   std::sort(byEnd.begin(), byEnd.end(), [](const Key& l, const Key& r) { return l.half < r.half; });
   for (const Key& start : starts) {
-    const auto found = std::lower_bound(byEnd.begin(), byEnd.end(), start.half,
-                                        [](const Key& l, std::int32_t half) { return l.half < half; });
+    const auto found =
+        std::lower_bound(byEnd.begin(), byEnd.end(), start.half, [](const Key& l, Half half) { return l.half < half; });
     sectors[start.sector].next = found->sector;
   }
   return sectors;
@@ -123,10 +122,10 @@ std::vector<Sector> boundarySectors(const Mesh& mesh) {
 // Sectors of the first front, loop by loop.
 std::vector<Sector> frontSectors(const MeshState& state) {
   std::vector<Sector> sectors;
-  const std::vector<std::int32_t>& loops = state.frontLoops;
+  const std::vector<Vertex>& loops = state.frontLoops;
   for (std::size_t first = 0; first < loops.size();) {
     std::size_t end = first;
-    while (loops[end] >= 0) ++end;
+    while (loops[end].exists()) ++end;
     const std::size_t n = end - first;
     const std::size_t base = sectors.size();
     for (std::size_t k = 0; n >= 3 && k < n; ++k) {
@@ -140,35 +139,35 @@ std::vector<Sector> frontSectors(const MeshState& state) {
   return sectors;
 }
 
-// cursor: points = tips to place, worklist = the vertex each stands at, next = the vertex placed (-1 refused).
+// The loops that are kept name the tips by their number until these are vertices.
 void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
-  Cursor& cursor = state.cursor;
+  FrontTips& front = state.cursor.of<FrontTips>();
   std::vector<FrontSpoke> spokes;
   for (Sector& sector : sectors) addSpokes(state.mesh, state.tree, sector, spokes);
   mergeOverEdges(sectors, spokes);
   struct Tip {
     Point sum;  // of the spokes merged in it
     double weight = 0.0;
-    std::int32_t vertex = -1;
-    std::int32_t proposal = -1;
+    Vertex vertex;
+    Vertex proposal;
   };
   std::vector<Tip> tips;
   std::vector<std::size_t> tipOf(spokes.size());
   for (std::size_t k = 0; k < spokes.size(); ++k) {
     const std::size_t root = rootOf(spokes, k);  // the lowest of its group
     tipOf[k] = root == k ? tips.size() : tipOf[root];
-    if (root == k) tips.push_back({.sum = {}, .vertex = spokes[k].vertex});
+    if (root == k) tips.push_back({.sum = {}, .weight = 0.0, .vertex = spokes[k].vertex, .proposal = {}});
     Tip& tip = tips[tipOf[k]];
     tip.sum = tip.sum + spokes[k].tip;
     tip.weight += 1.0;
   }
   for (const std::int32_t proposed : placingOrder(tips.size(), kInLoopOrder)) {
     const auto k = static_cast<std::size_t>(proposed);
-    tips[k].proposal = static_cast<std::int32_t>(cursor.points.size());
-    cursor.points.push_back((1.0 / tips[k].weight) * tips[k].sum);
-    cursor.worklist.push_back(tips[k].vertex);
+    tips[k].proposal = Vertex(front.places.size());
+    front.places.push_back((1.0 / tips[k].weight) * tips[k].sum);
+    front.owners.push_back(tips[k].vertex);
   }
-  cursor.next.assign(cursor.points.size(), -1);
+  front.placed.assign(front.places.size(), {});
   if (!keepLoops) return;
   state.frontLoops.clear();
   std::vector<std::uint8_t> seen(sectors.size(), 0);
@@ -180,53 +179,56 @@ void propose(MeshState& state, std::vector<Sector> sectors, bool keepLoops) {
         state.frontLoops.push_back(tips[tipOf[sectors[k].firstSpoke + spoke]].proposal);
       }
     }
-    state.frontLoops.push_back(-1);
+    state.frontLoops.emplace_back();
   }
 }
 
 // Turns the proposals listed in frontLoops into the vertices placed, leaving out refused and repeated ones.
 void closeLoops(MeshState& state) {
-  std::vector<std::int32_t> loops;
+  const FrontTips& front = state.cursor.of<FrontTips>();
+  std::vector<Vertex> loops;
   std::size_t first = 0;
-  for (const std::int32_t proposal : state.frontLoops) {
-    if (proposal < 0) {
+  for (const Vertex proposal : state.frontLoops) {
+    if (!proposal.exists()) {
       while (loops.size() > first + 1 && loops.back() == loops[first]) loops.pop_back();
-      if (loops.size() > first) loops.push_back(-1);
+      if (loops.size() > first) loops.emplace_back();
       first = loops.size();
       continue;
     }
-    const std::int32_t vertex = state.cursor.next[at(proposal)];
-    if (vertex >= 0 && (loops.size() == first || loops.back() != vertex)) loops.push_back(vertex);
+    const Vertex vertex = front.placed[static_cast<std::size_t>(proposal.n)];
+    if (vertex.exists() && (loops.size() == first || loops.back() != vertex)) loops.push_back(vertex);
   }
   state.frontLoops = std::move(loops);
 }
 
-Outcome placeNext(MeshState& state, Journal& journal, Rule rule, VertexKind kind, std::vector<std::int32_t>& front) {
+Outcome placeNext(MeshState& state, Journal& journal, Rule rule, VertexKind kind, std::vector<Vertex>& placed) {
   Cursor& cursor = state.cursor;
-  if (cursor.index == cursor.points.size()) return Outcome::done;
+  FrontTips& front = cursor.of<FrontTips>();
+  if (cursor.index == front.places.size()) return Outcome::done;
   const std::size_t k = cursor.index++;
-  const Point p = cursor.points[k];
-  const std::int32_t owner = cursor.worklist[k];
+  const Point p = front.places[k];
+  const Vertex owner = front.owners[k];
   const double floor = state.minEdge * (1.0 - 1e-9);  // where all edges are Δx long, points are Δx apart up to rounding
   const Demand demand{std::max(kNearest * edgeLengthAt(state.tree, p), floor), 0.0};
   const Attempt attempt =
-      place(state.mesh, state.tree, p, state.mesh.vertexTriangle[at(owner)], kind, demand, state.room.placing);
-  if (attempt.vertex >= 0) {
-    cursor.next[k] = attempt.vertex;
-    front.push_back(attempt.vertex);
+      place(state.mesh, state.tree, p, state.mesh.vertexTriangle[owner], kind, demand, state.room.placing);
+  if (attempt.vertex.exists()) {
+    front.placed[k] = attempt.vertex;
+    placed.push_back(attempt.vertex);
   } else {
-    ++state.counts[static_cast<std::size_t>(state.stage)].refused;
+    ++state.counts[state.stage].refused;
   }
   if (journal.listening()) {
-    Event event = eventIn(state, attempt.vertex >= 0 ? EventKind::vertex_inserted : EventKind::vertex_refused, rule);
-    event.other = static_cast<std::uint32_t>(owner);
+    Event event =
+        eventIn(state, attempt.vertex.exists() ? EventKind::vertex_inserted : EventKind::vertex_refused, rule);
+    event.other = owner.word();
     event.at = p;
     event.measured = distance(p, pointOf(state.mesh, owner));
     event.limit = demand.nearest;
     describeAttempt(event, attempt);
     journal.record(event);
   }
-  return attempt.vertex >= 0 ? Outcome::inserted : Outcome::decided;
+  return attempt.vertex.exists() ? Outcome::inserted : Outcome::decided;
 }
 
 }  // namespace

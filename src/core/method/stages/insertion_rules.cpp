@@ -17,18 +17,18 @@ bool notBelow(double squaredMeasured, double squaredLimit) {
   return squaredMeasured >= squaredLimit * (1.0 - kBoundMargin);
 }
 
-double squaredShortestEdge(const Mesh& mesh, std::int32_t slot) {
+double squaredShortestEdge(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   const Point a = pointOf(mesh, t.v[0]), b = pointOf(mesh, t.v[1]), c = pointOf(mesh, t.v[2]);
   return std::min({squaredDistance(a, b), squaredDistance(b, c), squaredDistance(c, a)});
 }
 
-Circumcircle circleOf(const Mesh& mesh, std::int32_t slot) {
+Circumcircle circleOf(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   return circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
 }
 
-bool atCentre(const Circumcircle& circle, double squaredLimit, std::int32_t other, Proposal& proposal) {
+bool atCentre(const Circumcircle& circle, double squaredLimit, Slot other, Proposal& proposal) {
   proposal.at = circle.centre;
   proposal.measured = std::sqrt(circle.squaredRadius);
   proposal.limit = std::sqrt(squaredLimit);
@@ -37,38 +37,38 @@ bool atCentre(const Circumcircle& circle, double squaredLimit, std::int32_t othe
 }
 
 // Step 1: R ≥ h at the circumcentre. The tree is asked last: most circles are smaller than any h.
-bool step1(const MeshState& state, std::int32_t slot, LeafPath& path, Proposal& proposal) {
+bool step1(const MeshState& state, Slot slot, LeafPath& path, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);
   if (!notBelow(circle.squaredRadius, squared(state.tree.minEdge))) return false;
   const double limit = squared(edgeLengthAt(state.tree, circle.centre, path));
-  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, -1, proposal);
+  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, {}, proposal);
 }
 
 // Step 2: R ≥ the least h over the three apexes.
 double leastEdgeLength(const MeshState& state, const Triangle& t) {
-  const std::vector<std::uint8_t>& rank = state.mesh.density;
-  return edgeLengthOf(state.tree, std::min({rank[at(t.v[0])], rank[at(t.v[1])], rank[at(t.v[2])]}));
+  const Per<Vertex, std::uint8_t>& rank = state.mesh.density;
+  return edgeLengthOf(state.tree, std::min({rank[t.v[0]], rank[t.v[1]], rank[t.v[2]]}));
 }
-bool step2(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+bool step2(const MeshState& state, Slot slot, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);
   const double limit = squared(leastEdgeLength(state, triangleAt(state.mesh, slot)));
-  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, -1, proposal);
+  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, {}, proposal);
 }
 
 // Step 3: R ≥ e. Bounds the edge ratio, the angles and the aspect ratio (Theorem 1).
-bool step3(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+bool step3(const MeshState& state, Slot slot, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);
   const double limit = squaredShortestEdge(state.mesh, slot);
-  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, -1, proposal);
+  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, {}, proposal);
 }
 
 // Step 4: R ≥ e of an adjacent triangle. Not as the paper says, it passes by a pair whose areas are close already:
 // along a row of nearly equilateral triangles each insertion would call for the next, against the density asked for.
-bool step4(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+bool step4(const MeshState& state, Slot slot, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);
   const double own = twiceArea(state.mesh, slot);
-  for (const std::int32_t across : triangleAt(state.mesh, slot).adj) {
-    if (across < 0) continue;
+  for (const Half across : triangleAt(state.mesh, slot).adj) {
+    if (!across.exists()) continue;
     if (own < state.settings.step4AreaRatio * twiceArea(state.mesh, triangleOf(across))) continue;
     const double limit = squaredShortestEdge(state.mesh, triangleOf(across));
     if (notBelow(circle.squaredRadius, limit)) return atCentre(circle, limit, triangleOf(across), proposal);
@@ -78,12 +78,12 @@ bool step4(const MeshState& state, std::int32_t slot, Proposal& proposal) {
 
 // Step 5: over the edge p1p3 shared with an adjacent triangle of height h and shortest edge e, this triangle's apex p4
 // is at least e + h from the edge's midpoint p5. Bounds the area ratio (Theorem 2).
-bool step5(const MeshState& state, std::int32_t slot, Proposal& proposal) {
+bool step5(const MeshState& state, Slot slot, Proposal& proposal) {
   const Mesh& mesh = state.mesh;
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t half = 3 * slot + i;
-    const std::int32_t across = oppositeOf(mesh, half);
-    if (across < 0) continue;
+    const Half half = halfOf(slot, i);
+    const Half across = oppositeOf(mesh, half);
+    if (!across.exists()) continue;
     const Point p1 = pointOf(mesh, startOf(mesh, half));
     const Point p3 = pointOf(mesh, endOf(mesh, half));
     const Point p2 = pointOf(mesh, apexOf(mesh, across));
@@ -107,7 +107,7 @@ bool step5(const MeshState& state, std::int32_t slot, Proposal& proposal) {
 
 }  // namespace
 
-bool proposes(Stage step, const MeshState& state, std::int32_t slot, LeafPath& path, Proposal& proposal) {
+bool proposes(Stage step, const MeshState& state, Slot slot, LeafPath& path, Proposal& proposal) {
   switch (step) {
     case Stage::step1:
       return step1(state, slot, path, proposal);
@@ -122,13 +122,13 @@ bool proposes(Stage step, const MeshState& state, std::int32_t slot, LeafPath& p
   }
 }
 
-Quiet clearlyQuiet(const MeshState& state, std::int32_t slot) {
+Quiet clearlyQuiet(const MeshState& state, Slot slot) {
   constexpr double kClearly = 1.0 - 1e-6;  // far from a tie, whatever the order of the operations
   const Mesh& mesh = state.mesh;
   const Point* const points = mesh.points.data();
   const Triangle* const all = mesh.triangles.data();
-  const Triangle& t = all[slot];
-  const std::array<Point, 3> corners{points[t.v[0]], points[t.v[1]], points[t.v[2]]};
+  const Triangle& t = all[slot.n];
+  const std::array<Point, 3> corners{points[t.v[0].n], points[t.v[1].n], points[t.v[2].n]};
   const std::array<Point, 3> along{corners[2] - corners[1], corners[0] - corners[2], corners[1] - corners[0]};
   const std::array<double, 3> edges{squaredLength(along[0]), squaredLength(along[1]), squaredLength(along[2])};
   const double sum = edges[0] + edges[1] + edges[2];
@@ -142,10 +142,10 @@ Quiet clearlyQuiet(const MeshState& state, std::int32_t slot) {
   quiet.step3 = radius < area * std::min({edges[0], edges[1], edges[2]});
   quiet.bounds = quiet.step3;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (t.adj[i] < 0) continue;
-    const auto across = static_cast<std::uint32_t>(t.adj[i]);
+    if (!t.adj[i].exists()) continue;
+    const auto across = t.adj[i].word();
     const std::uint32_t beyond = across / 3u;
-    const Point apex = points[all[beyond].v[across - 3u * beyond]];
+    const Point apex = points[all[beyond].v[across - 3u * beyond].n];
     const Point toApex = apex - corners[i == 2 ? 0 : i + 1];
     const double edge = edges[i];
     const double other = cross(toApex, along[i]);

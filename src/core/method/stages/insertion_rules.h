@@ -7,14 +7,14 @@ namespace triscope {
 
 struct Proposal {
   Point at;
-  double measured = 0.0;    // R, or |p5 p4| in step 5
-  double limit = 0.0;       // what it is not below
-  double nearest = 0.0;     // the new point must be at least this far from every vertex
-  std::int32_t other = -1;  // slot of the adjacent triangle that the limit came from, -1 when none
+  double measured = 0.0;  // R, or |p5 p4| in step 5
+  double limit = 0.0;     // what it is not below
+  double nearest = 0.0;   // the new point must be at least this far from every vertex
+  Slot other;             // adjacent triangle that the limit came from, if any
 };
 
 /// True when the rule of `step` (step1 … step5) proposes a point for the triangle.
-bool proposes(Stage step, const MeshState& state, std::int32_t slot, LeafPath& path, Proposal& proposal);
+bool proposes(Stage step, const MeshState& state, Slot slot, LeafPath& path, Proposal& proposal);
 
 /// Which rules certainly have nothing to say to a triangle; false tells nothing.
 struct Quiet {
@@ -29,6 +29,6 @@ struct Quiet {
   }
 };
 /// All at once, by limits a little rougher than those of the rules, and without a division.
-Quiet clearlyQuiet(const MeshState& state, std::int32_t slot);
+Quiet clearlyQuiet(const MeshState& state, Slot slot);
 
 }  // namespace triscope

@@ -20,32 +20,32 @@ bool seenTooWide(Point p, Point a, Point b, double limit) {
   return product * product > (1.0 - kBoundMargin) * limit * limit * squaredLength(u) * squaredLength(v);
 }
 
-// The first constrained half-edge of the rim that the point sees under too wide an angle, -1 when none.
-std::int32_t encroached(const Mesh& mesh, const Cavity& cavity, double sightCosine) {
-  if (!cavity.walled) return -1;
+// The first constrained half-edge of the rim that the point sees under too wide an angle, if any.
+Half encroached(const Mesh& mesh, const Cavity& cavity, double sightCosine) {
+  if (!cavity.walled) return {};
   for (const Cavity::RimEdge& edge : cavity.rim()) {
     if (!edge.isWall() || !constrained(mesh, edge.wall())) continue;
     const Point a = pointOf(mesh, startOf(mesh, edge.wall())), b = pointOf(mesh, endOf(mesh, edge.wall()));
     if (seenTooWide(cavity.at, a, b, sightCosine)) return edge.wall();
   }
-  return -1;
+  return {};
 }
 
 }  // namespace
 
-Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
+Attempt place(Mesh& mesh, const Quadtree& tree, Point p, Slot start, VertexKind kind, const Demand& demand,
               Placing& placing) {
   Attempt attempt;
   Cavity& cavity = placing.cavity;
   const Location location = walkTo(mesh, start, p);
-  if (location.blocked >= 0) {
+  if (location.blocked.exists()) {
     attempt.refusal = Refusal::outside_domain;
     attempt.wall = location.blocked;
     return attempt;
   }
   findCavity(mesh, p, location.triangle, cavity);
   attempt.wall = encroached(mesh, cavity, demand.sightCosine);
-  if (attempt.wall >= 0) {
+  if (attempt.wall.exists()) {
     attempt.refusal = Refusal::encroaches_boundary;
     return attempt;
   }
@@ -59,14 +59,14 @@ Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, Ver
   attempt.firstId = mesh.nextId;
   attempt.removedCount = static_cast<std::uint32_t>(cavity.triangleCount);
   attempt.vertex = fillCavity(mesh, cavity, kind, static_cast<std::uint8_t>(densityRankAt(tree, p, placing.path)));
-  attempt.createdCount = mesh.nextId - attempt.firstId;
+  attempt.createdCount = mesh.nextId.n - attempt.firstId.n;
   return attempt;
 }
 
-Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge,
+Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, EdgeId edge, double minEdge,
                       Placing& placing) {
   Attempt attempt;
-  const BoundaryEdge old = mesh.edges[at(edge)];
+  const BoundaryEdge old = mesh.edges[edge];
   const double t = 0.5 * (old.t0 + old.t1);
   const Point p = pointAt(domain.curves[old.curve], t);
   const double half =
@@ -78,9 +78,9 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
     return attempt;
   }
   Cavity& cavity = placing.cavity;
-  std::int32_t side = findHalfEdge(mesh, old.v0, old.v1);
-  if (side < 0) side = findHalfEdge(mesh, old.v1, old.v0);
-  if (side < 0 || !findSplitCavity(mesh, p, side, cavity)) {
+  Half side = findHalfEdge(mesh, old.v0, old.v1);
+  if (!side.exists()) side = findHalfEdge(mesh, old.v1, old.v0);
+  if (!side.exists() || !findSplitCavity(mesh, p, side, cavity)) {
     attempt.refusal = Refusal::inverts_triangle;
     return attempt;
   }
@@ -93,15 +93,15 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, st
   placing.suspects.assign(placing.star.rim.begin(), placing.star.rim.end());
   placing.flips.clear();
   restoreDelaunay(mesh, placing.suspects, placing.flips, mostFlips(mesh));
-  attempt.createdCount = mesh.nextId - attempt.firstId;
+  attempt.createdCount = mesh.nextId.n - attempt.firstId.n;
   return attempt;
 }
 
 void describeAttempt(Event& event, const Attempt& attempt) {
   event.refusal = attempt.refusal;
-  if (attempt.vertex >= 0) {
-    event.vertex = static_cast<std::uint32_t>(attempt.vertex);
-    event.created = attempt.firstId;
+  if (attempt.vertex.exists()) {
+    event.vertex = attempt.vertex.word();
+    event.created = attempt.firstId.n;
     event.createdCount = attempt.createdCount;
     event.removedCount = static_cast<std::uint16_t>(attempt.removedCount);
   } else {

@@ -19,21 +19,21 @@ struct Attempt {
   Refusal refusal = Refusal::none;
   double measured = 0.0;  // what the refusal measured, and the limit it was held against
   double limit = 0.0;
-  std::int32_t wall = -1;     // half-edge of the boundary edge that is in the way, -1 when none
-  std::int32_t vertex = -1;   // the new vertex when nothing refused it
-  std::uint32_t firstId = 0;  // of the new triangles
+  Half wall;           // half-edge of the boundary edge that is in the way, -1 when none
+  Vertex vertex;       // the new vertex when nothing refused it
+  TriangleId firstId;  // of the new triangles
   std::uint32_t createdCount = 0;
   std::uint32_t removedCount = 0;
 };
 
 /// Walks from `start` to p, finds the cavity, holds p to the demand, and inserts it when it passes. Leaves the cavity,
 /// with the new triangles as its fan, in `placing`.
-Attempt place(Mesh& mesh, const Quadtree& tree, Point p, std::int32_t start, VertexKind kind, const Demand& demand,
+Attempt place(Mesh& mesh, const Quadtree& tree, Point p, Slot start, VertexKind kind, const Demand& demand,
               Placing& placing);
 
 /// Splits boundary edge `edge` (index in Mesh::edges) at half its parameter, on the true curve. Refused when a half
 /// would be shorter than minEdge, or the new point does not see the triangles around it.
-Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, std::int32_t edge, double minEdge,
+Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, EdgeId edge, double minEdge,
                       Placing& placing);
 
 /// Fills in what an attempt did: vertex or refusal, measured and limit, created and removed.

@@ -11,7 +11,7 @@
 namespace triscope {
 namespace {
 
-bool kept(const Mesh& mesh, std::int32_t vertex) { return mesh.kinds[at(vertex)] == VertexKind::kept; }
+bool kept(const Mesh& mesh, Vertex vertex) { return mesh.kinds[vertex] == VertexKind::kept; }
 
 // Parameter of the edge's point that is `reach` away from its end at `from`, by halving; distances grow along an edge.
 double reaching(const Curve& curve, double from, double to, double reach) {
@@ -61,8 +61,8 @@ Outcome runRecovery(MeshState& state, Journal& journal) {
   cursor.begun = true;
   for (;;) {
     for (; cursor.index < mesh.edges.size(); ++cursor.index) {
-      const BoundaryEdge edge = mesh.edges[cursor.index];
-      if (findHalfEdge(mesh, edge.v0, edge.v1) >= 0) continue;
+      const BoundaryEdge edge = mesh.edges[EdgeId(cursor.index)];
+      if (findHalfEdge(mesh, edge.v0, edge.v1).exists()) continue;
       const double t = splitAt(state, edge);
       const Point p = pointAt(state.domain->curves[edge.curve], t);
       Attempt attempt;
@@ -74,8 +74,8 @@ Outcome runRecovery(MeshState& state, Journal& journal) {
       }
       attempt =
           place(mesh, state.tree, p, mesh.lastTriangle, VertexKind::split, {shortestMade(state)}, state.room.placing);
-      if (attempt.vertex < 0) return giveUp(state, journal, cursor.index, p, attempt);
-      splitBoundaryEdge(mesh, static_cast<std::int32_t>(cursor.index), attempt.vertex, t);
+      if (!attempt.vertex.exists()) return giveUp(state, journal, cursor.index, p, attempt);
+      splitBoundaryEdge(mesh, EdgeId(cursor.index), attempt.vertex, t);
       cursor.phase = 1;
       if (journal.listening()) {
         Event event = eventIn(state, EventKind::edge_split, Rule::recover_edge);

@@ -23,12 +23,12 @@ constexpr int kWholePasses = 1;          // over the whole mesh; those after the
 constexpr int kPoorPasses = 7;
 
 // Corner with an angle above 90°, or -1.
-int obtuseCorner(const Mesh& mesh, std::int32_t slot) {
+int obtuseCorner(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   for (int i = 0; i < 3; ++i) {
-    const Point p = pointOf(mesh, t.v[static_cast<std::size_t>(i)]);
-    const Point q = pointOf(mesh, t.v[static_cast<std::size_t>(next3(i))]);
-    const Point r = pointOf(mesh, t.v[static_cast<std::size_t>(prev3(i))]);
+    const Point p = pointOf(mesh, t.v[i]);
+    const Point q = pointOf(mesh, t.v[next3(i)]);
+    const Point r = pointOf(mesh, t.v[prev3(i)]);
     if (dotSign(p, q, r) < 0) return i;
   }
   return -1;
@@ -43,7 +43,7 @@ double filterPart(double omega) {
 }
 
 // p0 + part · (Σ (pi - p0)) / n
-bool filtered(const MeshState& state, std::int32_t vertex, Wheel& wheel, Point& to) {
+bool filtered(const MeshState& state, Vertex vertex, Wheel& wheel, Point& to) {
   const Mesh& mesh = state.mesh;
   if (!movable(mesh, vertex) || !gather(mesh, vertex, wheel)) return false;
   const auto isSettled = [&](const Spoke& spoke) { return settled(mesh, spoke.slot); };
@@ -61,11 +61,11 @@ Point turned(Point p, Point about, trig::SinCos by) {
 }
 
 // Edge of the triangle over which its neighbour is larger by the given factor, or -1.
-int largeNeighbour(const Mesh& mesh, std::int32_t slot) {
+int largeNeighbour(const Mesh& mesh, Slot slot) {
   const double own = twiceArea(mesh, slot);
   for (int i = 0; i < 3; ++i) {
-    const std::int32_t across = oppositeOf(mesh, 3 * slot + i);
-    if (across >= 0 && twiceArea(mesh, triangleOf(across)) > kLargeAreaRatio * own) return i;
+    const Half across = oppositeOf(mesh, halfOf(slot, i));
+    if (across.exists() && twiceArea(mesh, triangleOf(across)) > kLargeAreaRatio * own) return i;
   }
   return -1;
 }
@@ -95,21 +95,21 @@ Outcome runObtuse(MeshState& state, Journal& journal, TrialRoom& room) {
     const std::size_t open = nextOpen(mesh, cursor.index / kTries, kAcute);
     if (open != cursor.index / kTries) cursor.index = kTries * open;
     if (open == mesh.triangles.size()) break;
-    const auto slot = static_cast<std::int32_t>(open);
+    const Slot slot(open);
     const bool tried = state.round <= kWholePasses && cursor.index % kTries >= kTriesOfWholePass;
     const int corner = tried ? -1 : obtuseCorner(mesh, slot);
     if (corner < 0) {
-      if (!tried) mesh.tested[open] |= kAcute;
+      if (!tried) mesh.tested[slot] |= kAcute;
       cursor.index += kTries - 1 - cursor.index % kTries;  // on to the next triangle
       continue;
     }
     const Triangle& t = triangleAt(mesh, slot);
-    const std::int32_t p2 = t.v[static_cast<std::size_t>(corner)];
-    const std::int32_t p1 = t.v[static_cast<std::size_t>(next3(corner))];
-    const std::int32_t p3 = t.v[static_cast<std::size_t>(prev3(corner))];
+    const Vertex p2 = t.v[corner];
+    const Vertex p1 = t.v[next3(corner)];
+    const Vertex p3 = t.v[prev3(corner)];
     const std::uint64_t which = cursor.index % 3;
     const double theta = kTurns[cursor.index % kTries / 3] * state.settings.theta * trig::kDegree;
-    const std::int32_t moved = which == 0 ? p1 : which == 1 ? p3 : p2;
+    const Vertex moved = which == 0 ? p1 : which == 1 ? p3 : p2;
     if (!movable(mesh, moved) || !gather(mesh, moved, room.wheel)) continue;
     const Point about = pointOf(mesh, p2);
     const Point to = which == 2 ? apexRaised(pointOf(mesh, p1), about, pointOf(mesh, p3), theta)
@@ -128,14 +128,14 @@ Outcome runSharedEdge(MeshState& state, Journal& journal, TrialRoom& room) {
     const std::size_t open = nextOpen(mesh, cursor.index / 2, kEven);
     if (open != cursor.index / 2) cursor.index = 2 * open;
     if (open == mesh.triangles.size()) break;
-    const auto slot = static_cast<std::int32_t>(open);
+    const Slot slot(open);
     const int edge = largeNeighbour(mesh, slot);
     if (edge < 0) {
-      mesh.tested[open] |= kEven;
+      mesh.tested[slot] |= kEven;
       continue;
     }
-    const std::int32_t half = 3 * slot + edge;
-    const std::int32_t moved = cursor.index % 2 == 1 ? endOf(mesh, half) : startOf(mesh, half);
+    const Half half = halfOf(slot, edge);
+    const Vertex moved = cursor.index % 2 == 1 ? endOf(mesh, half) : startOf(mesh, half);
     if (!movable(mesh, moved) || !gather(mesh, moved, room.wheel)) continue;
     const Point along = pointOf(mesh, endOf(mesh, half)) - pointOf(mesh, startOf(mesh, half));
     const double height = twiceArea(mesh, triangleOf(oppositeOf(mesh, half))) / length(along);
@@ -150,10 +150,10 @@ Outcome runSharedEdge(MeshState& state, Journal& journal, TrialRoom& room) {
 Outcome runLaplacian(MeshState& state, Journal& journal, TrialRoom& room) {
   Cursor& cursor = state.cursor;
   while (cursor.index < state.mesh.points.size()) {
-    const auto vertex = static_cast<std::int32_t>(cursor.index++);
+    const Vertex vertex(cursor.index++);
     Point to;
     if (!filtered(state, vertex, room.wheel, to)) continue;
-    return decideMove(state, journal, {Rule::laplacian, vertex, to}, kNoId, room);
+    return decideMove(state, journal, {Rule::laplacian, vertex, to}, {}, room);
   }
   return Outcome::done;
 }
@@ -181,8 +181,7 @@ Outcome runPart(MeshState& state, Journal& journal, TrialRoom& room) {
 bool settle(MeshState& state) {
   Mesh& mesh = state.mesh;
   bool changed = false;
-  for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot) {
-    std::uint8_t& tested = mesh.tested[slot];
+  for (std::uint8_t& tested : mesh.tested) {
     if ((tested & kSettled) != 0) continue;
     if ((tested & kUnchanged) != 0) {
       tested |= kSettled;
@@ -196,8 +195,8 @@ bool settle(MeshState& state) {
 
 // What the rules before this step remember of triangles says nothing about its own.
 void forgetTests(Mesh& mesh) {
-  for (std::size_t slot = 0; slot < mesh.tested.size(); ++slot)
-    if ((mesh.flags[slot] & kDead) == 0) mesh.tested[slot] = kUnchanged;
+  for (const Slot slot : mesh.tested.keys())
+    if (mesh.alive(slot)) mesh.tested[slot] = kUnchanged;
 }
 
 }  // namespace

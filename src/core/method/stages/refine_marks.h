@@ -16,7 +16,7 @@ inline constexpr std::uint8_t kAcute = 32;       // not obtuse
 inline constexpr std::uint8_t kSettled = 64;     // unchanged through a whole pass: the next would refuse the same again
 inline constexpr std::uint8_t kUnchanged = 128;  // since this pass began
 
-inline bool settled(const Mesh& mesh, std::int32_t slot) { return (mesh.tested[at(slot)] & kSettled) != 0; }
+inline bool settled(const Mesh& mesh, Slot slot) { return (mesh.tested[slot] & kSettled) != 0; }
 
 /// The first slot at or after `from` that is not settled and not known to be `well` (kEven or kAcute); the number of
 /// slots when there is none. Free slots have every bit. Eight slots with nothing to look at cost one comparison.
@@ -31,7 +31,7 @@ inline std::size_t nextOpen(const Mesh& mesh, std::size_t from, std::uint8_t wel
       if (((eight | eight << up) & settledEight) != settledEight) break;
       slot += 8;
     }
-    if (slot < count && (mesh.tested[slot] & (kSettled | well)) == 0) return slot;
+    if (slot < count && (mesh.tested[Slot(slot)] & (kSettled | well)) == 0) return slot;
   }
   return count;
 }

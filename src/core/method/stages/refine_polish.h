@@ -10,8 +10,7 @@ namespace triscope {
 /// passes have nothing to say to.
 void beginPolish(MeshState& state);
 
-/// The next decision. Cursor::next: the vertices to polish in this pass; index = tries·place in it + try;
-/// worklist: the triangles that were nearly poor when it began; points: the worst figures.
+/// The next decision. Cursor::index = tries·place in the list of vertices + try.
 Outcome runPolish(MeshState& state, Journal& journal, TrialRoom& room);
 
 }  // namespace triscope

@@ -7,7 +7,6 @@
 #include "core/mesh/change_log.h"
 #include "core/mesh/edit.h"
 #include "core/method/stages/refine_marks.h"
-#include "core/method/stages/refine_strain.h"
 
 namespace triscope {
 namespace {
@@ -22,7 +21,8 @@ Refusal judge(const MeshState& state, Rule rule, const Badness& was, const Badne
   if (is.shortest < minEdge * minEdge && is.shortest < was.shortest) return Refusal::edge_below_minimum;
   if (is.obtuse > was.obtuse) return Refusal::star_worse;
   if (rule == Rule::polish) {
-    const Worst worst = worstKept(state.cursor);
+    const auto* const polishing = std::get_if<Polishing>(&state.cursor.ahead);
+    const Worst worst = polishing != nullptr && polishing->worst ? *polishing->worst : Worst();
     const double strain = strainOf(is, worst);
     const bool better = strain < strainOf(was, worst) || (is.obtuse < was.obtuse && strain <= 1.0);
     return better ? Refusal::none : Refusal::star_worse;
@@ -86,7 +86,7 @@ void rimOf(const Mesh& mesh, const Wheel& wheel, Rim& rim) {
   for (std::size_t k = 0; k < n; ++k) {
     const Spoke& spoke = wheel.spokes[k];
     rim.squared[k] = squaredDistance(spoke.at, wheel.spokes[k + 1 == n ? 0 : k + 1].at);
-    rim.beyond[k] = spoke.across >= 0 ? std::max(0.0, twiceArea(mesh, triangleOf(spoke.across))) : -1.0;
+    rim.beyond[k] = spoke.across.exists() ? std::max(0.0, twiceArea(mesh, triangleOf(spoke.across))) : -1.0;
   }
   for (std::size_t k = 0; k < n; ++k) rim.root[k] = std::sqrt(rim.squared[k]);
 }
@@ -185,8 +185,8 @@ bool staysDelaunay(const Mesh& mesh, const Wheel& wheel, const Rim& rim, const P
     const double left = pose.squared[k + 1] + rim.squared[k] - spoke;
     const double scale = spoke + rim.squared[k] + rim.squared[last];
     if (!(right * pose.area[k] + left * pose.area[last] > kAboveZero * scale * scale)) return false;
-    const std::int32_t across = wheel.spokes[k].across;
-    if (across < 0) continue;
+    const Half across = wheel.spokes[k].across;
+    if (!across.exists()) continue;
     const Point q = pointOf(mesh, apexOf(mesh, across));
     const Point s = wheel.spokes[k].at, e = wheel.spokes[k + 1 == n ? 0 : k + 1].at;
     const double far = 2.0 * dot(s - q, e - q), near = spoke + pose.squared[k + 1] - rim.squared[k];
@@ -198,7 +198,7 @@ bool staysDelaunay(const Mesh& mesh, const Wheel& wheel, const Rim& rim, const P
 
 // Puts the hub into its new place, and keeps of Mesh::tested what is known to hold there.
 void place(Mesh& mesh, const Wheel& wheel, Point to, const Rim& rim, const Pose& pose) {
-  mesh.points[at(wheel.hub)] = to;
+  mesh.points[wheel.hub] = to;
   const std::size_t n = rim.count;
   constexpr double kEvenRatio = kClearly * kLargeAreaRatio;
   bool evenLast = within(pose.area[n - 1], pose.area[0], kEvenRatio);
@@ -208,10 +208,10 @@ void place(Mesh& mesh, const Wheel& wheel, Point to, const Rim& rim, const Pose&
     const bool evenNext = within(pose.area[k], pose.area[k + 1], kEvenRatio);
     const bool evenBeyond = within(pose.area[k], beyond(rim, pose, k), kEvenRatio);
     const Spoke& spoke = wheel.spokes[k];
-    mesh.tested[at(spoke.slot)] =
+    mesh.tested[spoke.slot] =
         static_cast<std::uint8_t>((acute ? kAcute : 0) | (evenLast && evenNext && evenBeyond ? kEven : 0));
-    if (spoke.across >= 0) {
-      mesh.tested[at(triangleOf(spoke.across))] &= static_cast<std::uint8_t>(kAcute | (evenBeyond ? kEven : 0));
+    if (spoke.across.exists()) {
+      mesh.tested[triangleOf(spoke.across)] &= static_cast<std::uint8_t>(kAcute | (evenBeyond ? kEven : 0));
     }
     noteTouched(mesh, spoke.slot);
     evenLast = evenNext;
@@ -223,10 +223,10 @@ void place(Mesh& mesh, const Wheel& wheel, Point to, const Rim& rim, const Pose&
 Verdict tryInFull(MeshState& state, const Move& move, TrialRoom& room) {
   Mesh& mesh = state.mesh;
   room.before.clear();
-  std::uint8_t finestRank = mesh.density[at(move.vertex)];
+  std::uint8_t finestRank = mesh.density[move.vertex];
   for (const Spoke& spoke : room.wheel.spokes) {
     room.before.push_back(spoke.slot);
-    finestRank = std::min(finestRank, mesh.density[at(spoke.rim)]);
+    finestRank = std::min(finestRank, mesh.density[spoke.rim]);
   }
   Badness was = badnessOf(mesh, room.before);
   if (!moveVertex(mesh, move.vertex, move.to, room.log)) return {Refusal::inverts_triangle, 0.0, 0.0};
@@ -268,8 +268,8 @@ bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Verdict&
   if (polish) was.radius = radiusOf(rim, from), is.radius = radiusOf(rim, to);
   double minEdge = 0.0;
   if (is.shortest < was.shortest && is.shortest < state.minEdge * state.minEdge) {
-    std::uint8_t finestRank = mesh.density[at(wheel.hub)];
-    for (const Spoke& spoke : wheel.spokes) finestRank = std::min(finestRank, mesh.density[at(spoke.rim)]);
+    std::uint8_t finestRank = mesh.density[wheel.hub];
+    for (const Spoke& spoke : wheel.spokes) finestRank = std::min(finestRank, mesh.density[spoke.rim]);
     minEdge = shortestAllowed(state, finestRank);
   }
   verdict = judged(state, move.rule, was, is, minEdge);
@@ -277,27 +277,27 @@ bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Verdict&
   return true;
 }
 
-Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room) {
+Outcome decideMove(MeshState& state, Journal& journal, const Move& move, TriangleId subject, TrialRoom& room) {
   const Point from = pointOf(state.mesh, move.vertex);
-  const std::uint32_t firstId = state.mesh.nextId;
+  const TriangleId firstId = state.mesh.nextId;
   Verdict verdict;
   if (!tryInPlace(state, move, room.wheel, verdict)) verdict = tryInFull(state, move, room);
-  StageCounts& counts = state.counts[static_cast<std::size_t>(state.stage)];
+  StageCounts& counts = state.counts[state.stage];
   const bool moved = verdict.refusal == Refusal::none;
   ++(moved ? counts.moved : counts.refused);
   if (moved) ++state.cursor.changes;
   if (journal.listening()) {
     Event event = eventIn(state, moved ? EventKind::vertex_moved : EventKind::vertex_kept, move.rule);
     event.refusal = verdict.refusal;
-    event.subject = subject;
-    event.vertex = static_cast<std::uint32_t>(move.vertex);
+    event.subject = subject.n;
+    event.vertex = move.vertex.word();
     event.at = move.to;
     event.from = from;
     event.measured = verdict.measured;
     event.limit = verdict.limit;
     if (state.mesh.nextId > firstId) {
-      event.created = firstId;
-      event.createdCount = state.mesh.nextId - firstId;
+      event.created = firstId.n;
+      event.createdCount = state.mesh.nextId.n - firstId.n;
     }
     journal.record(event);
   }

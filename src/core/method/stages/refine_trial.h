@@ -13,7 +13,7 @@ inline constexpr double kLargeAreaRatio = 2.0;  // pairs beyond it get their sha
 
 struct Move {
   Rule rule = Rule::laplacian;
-  std::int32_t vertex = -1;
+  Vertex vertex;
   Point to;
 };
 
@@ -33,13 +33,12 @@ Verdict tryInFull(MeshState& state, const Move& move, TrialRoom& room);
 bool tryInPlace(MeshState& state, const Move& move, const Wheel& wheel, Verdict& verdict);
 
 /// Tries the move, in place or else in full, and records what came of it. `room` holds the star of the vertex, and
-/// `subject` is the triangle that the move is for.
-Outcome decideMove(MeshState& state, Journal& journal, const Move& move, std::uint32_t subject, TrialRoom& room);
+/// `subject` is the triangle that the move is for, if any.
+Outcome decideMove(MeshState& state, Journal& journal, const Move& move, TriangleId subject, TrialRoom& room);
 
 /// Inner vertices are; those of boundaries stay.
-inline bool movable(const Mesh& mesh, std::int32_t vertex) {
-  const auto v = static_cast<std::size_t>(vertex);
-  return mesh.vertexEdge[v] < 0 && mesh.vertexTriangle[v] >= 0;
+inline bool movable(const Mesh& mesh, Vertex vertex) {
+  return !mesh.vertexEdge[vertex].exists() && mesh.vertexTriangle[vertex].exists();
 }
 
 }  // namespace triscope

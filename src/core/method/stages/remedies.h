@@ -14,8 +14,9 @@ enum class MeshEdit : std::uint8_t { none, move, insert, remove, split };
 
 struct Remedy {
   MeshEdit edit = MeshEdit::none;
-  std::int32_t index = -1;  // vertex (move, remove) or boundary edge (split)
   Point to;
+  Vertex vertex;  // to move or remove
+  EdgeId edge;    // to split
 };
 
 /// Everything worth trying around the patient of a patch: the first triangle that breaks a bound, 0 in a fresh patch.
@@ -23,9 +24,8 @@ void collectRemedies(const Mesh& patch, std::vector<Remedy>& remedies);
 
 /// Makes the edit in the mesh of the state, or in a patch of it. A point to insert is looked for from slot `start`; no
 /// edge becomes shorter than `floor`.
-Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, std::int32_t start, double floor,
-                    Room& room);
+Attempt applyRemedy(Mesh& mesh, const MeshState& state, const Remedy& remedy, Slot start, double floor, Room& room);
 
-std::int32_t firstLive(const Mesh& mesh);
+Slot firstLive(const Mesh& mesh);
 
 }  // namespace triscope

@@ -23,8 +23,8 @@ constexpr std::uint8_t bitOf(Stage step) {
 // Marks what the later steps need not look at again, while the triangle and its neighbours are at hand: reading the
 // whole mesh once more for each rule costs more than the rules do. Not in step 1, most triangles of which are soon
 // gone.
-void passOver(MeshState& state, std::int32_t slot, const Quiet& quiet) {
-  std::uint8_t& tested = state.mesh.tested[at(slot)];
+void passOver(MeshState& state, Slot slot, const Quiet& quiet) {
+  std::uint8_t& tested = state.mesh.tested[slot];
   if (quiet.step3) tested |= bitOf(Stage::step3);
   if (quiet.step4) tested |= bitOf(Stage::step4);
   if (quiet.step5) tested |= bitOf(Stage::step5);
@@ -32,29 +32,29 @@ void passOver(MeshState& state, std::int32_t slot, const Quiet& quiet) {
 }
 
 // In the order of the star of the new vertex, which begins at the last triangle made.
-void queueFan(std::vector<std::int32_t>& worklist, std::span<const std::int32_t> fan) {
-  worklist.push_back(fan.back());
-  worklist.insert(worklist.end(), fan.begin(), fan.end() - 1);
+void queueFan(std::vector<Slot>& ahead, std::span<const Slot> fan) {
+  ahead.push_back(fan.back());
+  ahead.insert(ahead.end(), fan.begin(), fan.end() - 1);
 }
 
-Attempt insert(MeshState& state, std::int32_t slot, const Proposal& proposal, Placing& placing) {
+Attempt insert(MeshState& state, Slot slot, const Proposal& proposal, Placing& placing) {
   if (state.mesh.points.size() < mostVertices(state)) {
     const double nearest = std::max(proposal.nearest, shortestMade(state));
     return place(state.mesh, state.tree, proposal.at, slot, VertexKind::steiner, {nearest, -0.5}, placing);
   }
-  state.cursor.worklist.clear();  // the rest of the stage is left undone
+  state.cursor.of<SlotsAhead>().slots.clear();  // the rest of the stage is left undone
   Attempt attempt;
   attempt.refusal = Refusal::budget_spent;
   return attempt;
 }
 
-void record(const MeshState& state, Journal& journal, std::uint32_t subject, const Proposal& proposal,
-            std::uint32_t other, const Attempt& attempt) {
+void record(const MeshState& state, Journal& journal, TriangleId subject, const Proposal& proposal, TriangleId other,
+            const Attempt& attempt) {
   if (!journal.listening()) return;
-  Event event =
-      eventIn(state, attempt.vertex >= 0 ? EventKind::vertex_inserted : EventKind::vertex_refused, ruleOf(state.stage));
-  event.subject = subject;
-  event.other = other;
+  Event event = eventIn(state, attempt.vertex.exists() ? EventKind::vertex_inserted : EventKind::vertex_refused,
+                        ruleOf(state.stage));
+  event.subject = subject.n;
+  event.other = other.n;
   event.at = proposal.at;
   describeAttempt(event, attempt);
   event.measured = proposal.measured;
@@ -67,16 +67,17 @@ void record(const MeshState& state, Journal& journal, std::uint32_t subject, con
 Outcome runSteps(MeshState& state, Journal& journal) {
   Cursor& cursor = state.cursor;
   Mesh& mesh = state.mesh;
+  std::vector<Slot>& ahead = cursor.of<SlotsAhead>().slots;
   const std::uint8_t bit = bitOf(state.stage);
   if (!cursor.begun) {
     cursor.begun = true;
-    forEachUntested(mesh, bit, [&](std::int32_t slot) { cursor.worklist.push_back(slot); });
+    forEachUntested(mesh, bit, [&](Slot slot) { ahead.push_back(slot); });
   }
-  while (!cursor.worklist.empty()) {
-    const std::int32_t slot = cursor.worklist.back();
-    cursor.worklist.pop_back();
-    if ((mesh.flags[at(slot)] & (kDead | kFillsGap)) != 0 || (mesh.tested[at(slot)] & bit) != 0) continue;
-    mesh.tested[at(slot)] |= bit;
+  while (!ahead.empty()) {
+    const Slot slot = ahead.back();
+    ahead.pop_back();
+    if ((mesh.flags[slot] & (kDead | kFillsGap)) != 0 || (mesh.tested[slot] & bit) != 0) continue;
+    mesh.tested[slot] |= bit;
     Proposal proposal;
     if (state.stage == Stage::step1) {
       if (!proposes(state.stage, state, slot, state.room.placing.path, proposal)) continue;
@@ -87,15 +88,15 @@ Outcome runSteps(MeshState& state, Journal& journal) {
         continue;
       }
     }
-    const std::uint32_t subject = idOf(mesh, slot);
-    const std::uint32_t other = proposal.other >= 0 ? idOf(mesh, proposal.other) : kNoId;
+    const TriangleId subject = idOf(mesh, slot);
+    const TriangleId other = proposal.other.exists() ? idOf(mesh, proposal.other) : TriangleId();
     const Attempt attempt = insert(state, slot, proposal, state.room.placing);
     record(state, journal, subject, proposal, other, attempt);
-    if (attempt.vertex < 0) {
-      ++state.counts[static_cast<std::size_t>(state.stage)].refused;
+    if (!attempt.vertex.exists()) {
+      ++state.counts[state.stage].refused;
       return Outcome::decided;
     }
-    queueFan(cursor.worklist, state.room.placing.cavity.fan());
+    queueFan(ahead, state.room.placing.cavity.fan());
     return Outcome::inserted;
   }
   return Outcome::done;

@@ -43,7 +43,7 @@ void tryRemedies(Search& search, const Remedy& first) {
   std::vector<Remedy> remedies;
   Trial& trial = search.room.trial;
   collectRemedies(trial.unedited, remedies);
-  const std::int32_t start = firstLive(trial.unedited);
+  const Slot start = firstLive(trial.unedited);
   for (const Remedy& remedy : remedies) {
     const bool lead = first.edit == MeshEdit::none && remedy.edit != MeshEdit::move;
     trial.mesh.touched->clear();
@@ -67,21 +67,19 @@ void tryRemedies(Search& search, const Remedy& first) {
 }
 
 // From the patch's numbering to the mesh's. What the first edit makes has the next number in both.
-void translate(const MeshState& state, const Patch& patch, Remedy& remedy) {
-  const auto across = [](const std::vector<std::int32_t>& map, std::size_t size, std::int32_t local) {
-    const auto l = static_cast<std::size_t>(local);
-    return l < map.size() ? map[l] : static_cast<std::int32_t>(size + l - map.size());
-  };
-  if (remedy.edit == MeshEdit::move || remedy.edit == MeshEdit::remove) {
-    remedy.index = across(patch.vertices, state.mesh.points.size(), remedy.index);
-  } else if (remedy.edit == MeshEdit::split) {
-    remedy.index = across(patch.edges, state.mesh.edges.size(), remedy.index);
-  }
+template <class Id, class Value>
+Id translated(Id local, const Per<Id, Id>& ofMesh, const Per<Id, Value>& all) {
+  return ofMesh.has(local) ? ofMesh[local] : Id(all.next().n + local.n - ofMesh.next().n);
+}
+
+void translate(const Mesh& mesh, const Patch& patch, Remedy& remedy) {
+  if (remedy.vertex.exists()) remedy.vertex = translated(remedy.vertex, patch.vertices, mesh.points);
+  if (remedy.edge.exists()) remedy.edge = translated(remedy.edge, patch.edges, mesh.edges);
 }
 
 }  // namespace
 
-Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor, Room& room) {
+Treatment bestTreatment(const MeshState& state, Slot slot, double& floor, Room& room) {
   Patch& patch = room.patch;
   Trial& trial = room.trial;
   extractPatch(state.mesh, slot, kPatchDepth, patch);
@@ -91,11 +89,11 @@ Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor
   tryRemedies(search, {});
   for (std::size_t k = 0; search.chosen[0].edit == MeshEdit::none && k < search.leads.size(); ++k) {
     if (k > 0) beginTrial(trial, patch.mesh);
-    applyRemedy(trial.mesh, state, search.leads[k].remedy, 0, floor, room);
+    applyRemedy(trial.mesh, state, search.leads[k].remedy, Slot(0), floor, room);
     keepEdit(trial);
     tryRemedies(search, search.leads[k].remedy);
   }
-  for (Remedy& remedy : search.chosen) translate(state, patch, remedy);
+  for (Remedy& remedy : search.chosen) translate(state.mesh, patch, remedy);
   return search.chosen;
 }
 

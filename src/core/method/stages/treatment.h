@@ -13,6 +13,6 @@ using Treatment = std::array<Remedy, 2>;
 /// The treatment that leaves the fewest broken bounds around the triangle, then the smallest excess, in the mesh's own
 /// numbering; none when nothing makes it better. `floor` is what no edge may be shorter than: Δx, or where the input
 /// itself is finer, its finest edge nearby.
-Treatment bestTreatment(const MeshState& state, std::int32_t slot, double& floor, Room& room);
+Treatment bestTreatment(const MeshState& state, Slot slot, double& floor, Room& room);
 
 }  // namespace triscope

@@ -33,9 +33,9 @@ void boxAround(MeshState& state) {
   const Point hi = state.tree.origin + Point{4.0 * side, 4.0 * side};
   for (const Point corner : {lo, Point{hi.x, lo.y}, hi, Point{lo.x, hi.y}})
     addVertex(mesh, corner, VertexKind::helper, 0);
-  addTriangle(mesh, 0, 1, 2);
-  addTriangle(mesh, 0, 2, 3);
-  link(mesh, 1, 5);
+  const Slot lower = addTriangle(mesh, Vertex(0), Vertex(1), Vertex(2));
+  const Slot upper = addTriangle(mesh, Vertex(0), Vertex(2), Vertex(3));
+  link(mesh, halfOf(lower, 1), halfOf(upper, 2));
 }
 
 void addBoundaryEdges(MeshState& state) {
@@ -43,16 +43,16 @@ void addBoundaryEdges(MeshState& state) {
     const BoundaryPoint& a = state.boundary[k];
     const BoundaryPoint& b = state.boundary[k + 1];
     if (a.curve != b.curve) continue;
-    addBoundaryEdge(state.mesh, {a.vertex, b.vertex, a.curve, -1, -1, a.t, b.t});
+    addBoundaryEdge(state.mesh, {a.vertex, b.vertex, a.curve, {}, {}, a.t, b.t});
   }
 }
 
-// Vertex of the closed triangle `slot` at p, or -1.
-std::int32_t vertexAt(const Mesh& mesh, std::int32_t slot, Point p) {
-  for (const std::int32_t v : triangleAt(mesh, slot).v) {
+// Vertex of the closed triangle `slot` at p, or none.
+Vertex vertexAt(const Mesh& mesh, Slot slot, Point p) {
+  for (const Vertex v : triangleAt(mesh, slot).v) {
     if (pointOf(mesh, v) == p) return v;
   }
-  return -1;
+  return {};
 }
 
 }  // namespace
@@ -64,12 +64,13 @@ Outcome runTriangulation(MeshState& state, Journal& journal) {
     cursor.begun = true;
     reserve(mesh, state.estimatedTriangles);
     boxAround(state);
-    cursor.next = placingOrder(state.boundary.size(), kInLoopOrder);
+    cursor.of<BoundaryOrder>().points = placingOrder(state.boundary.size(), kInLoopOrder);
   }
+  const std::vector<std::int32_t>& order = cursor.of<BoundaryOrder>().points;
   for (; cursor.index < state.boundary.size(); ++cursor.index) {
-    BoundaryPoint& point = state.boundary[at(cursor.next[cursor.index])];
-    const std::int32_t near = vertexAt(mesh, walkTo(mesh, mesh.lastTriangle, point.at).triangle, point.at);
-    if (near >= 0) {  // curves share their ends
+    BoundaryPoint& point = state.boundary[static_cast<std::size_t>(order[cursor.index])];
+    const Vertex near = vertexAt(mesh, walkTo(mesh, mesh.lastTriangle, point.at).triangle, point.at);
+    if (near.exists()) {  // curves share their ends
       point.vertex = near;
       continue;
     }

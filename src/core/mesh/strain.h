@@ -1,13 +1,10 @@
-// How near the triangles of a region come to the worst of the whole mesh, in every measure at once: what polishing
-// lowers.
+// How near the triangles of a region come to the worst of the whole mesh, in every measure at once.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "core/mesh/badness.h"
-#include "core/method/state.h"
 
 namespace triscope {
 
@@ -36,15 +33,6 @@ inline double strainOf(const Badness& region, const Worst& worst) {
                    part(region.areaRatio, best.areaRatio, worst.areaRatio),
                    part(std::sqrt(region.edgeRatio), best.edgeRatio, worst.edgeRatio),
                    part(std::sqrt(region.radius), best.radius, worst.radius)});
-}
-
-/// Cursor::points holds it while step 6 polishes.
-inline void keep(const Worst& worst, Cursor& cursor) {
-  cursor.points = {{worst.aspect, worst.areaRatio}, {worst.edgeRatio, worst.radius}};
-}
-inline Worst worstKept(const Cursor& cursor) {
-  if (cursor.points.size() < 2) return {};
-  return {cursor.points[0].x, cursor.points[0].y, cursor.points[1].x, cursor.points[1].y};
 }
 
 }  // namespace triscope
