@@ -1,6 +1,9 @@
 // Every colour that Triscope draws with: the themes, the sequential scales and the categories.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "core/density/quadtree.h"
 #include "core/mesh/mesh.h"
 #include "core/words/stage.h"
@@ -10,6 +13,8 @@ namespace triscope {
 
 enum class Scale : std::uint8_t { cividis, viridis };
 enum class ThemeKind : std::uint8_t { light, dark, high_contrast };
+/// As files name them, in their order.
+inline constexpr std::array<std::string_view, 3> kThemeNames{"light", "dark", "high contrast"};
 
 /// Colour at t in [0, 1] of a perceptually uniform scale that reads without red-green vision; dark at 0, light at 1.
 Color scaleColor(Scale scale, double t);

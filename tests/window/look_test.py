@@ -24,7 +24,7 @@ class Look(harness.WindowTest):
             seen.add(state["theme"])
             self.window.key("ctrl+t")
             self.window.wait(lambda s: s["theme"] != state["theme"], "another theme")
-        self.assertEqual(seen, {"light", "dark", "high_contrast"})
+        self.assertEqual(seen, {"light", "dark", "high contrast"})
 
     def test_what_is_drawn_in_places_looks_as_if_drawn_as_a_whole(self):
         self.window.key("w")  # the circles of the worst triangles would cover much of the mesh

@@ -1,6 +1,7 @@
 // Breakpoints, and running to them: forwards from a state, backwards through a history.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -19,6 +20,8 @@ struct Breakpoint {
   Action action = Action::stop;
   bool enabled = true;
 };
+/// As sessions and the panel name the actions, in their order.
+inline constexpr std::array<const char*, 3> kBreakpointActions{"stop", "log", "mark"};
 
 /// A breakpoint that was met: right after decision `tick`.
 struct Hit {

@@ -22,7 +22,6 @@ constexpr double kVersion = 1.0;
 constexpr double kLargestWhole = 9007199254740992.0;  // 2^53: what a JSON number holds exactly
 constexpr double kMostMethods = 1e9;
 constexpr std::uint64_t kBeatsPerPulse = 1024;
-constexpr std::array<std::string_view, 3> kActions{"stop", "log", "mark"};  // in the order of Breakpoint::Action
 
 // ---- Writing ----
 
@@ -180,19 +179,19 @@ void readSettings(Members& root, Settings& settings) {
 
 void readBreakpoint(Members& members, std::vector<Breakpoint>& list) {
   std::string text;
-  std::string action(kActions[0]);
+  std::string action(kBreakpointActions[0]);
   bool enabled = true;
   members.text("condition", text);
   members.text("action", action);
   members.flag("enabled", enabled);
-  const auto named = std::find(kActions.begin(), kActions.end(), action);
-  if (named == kActions.end())
+  const auto named = std::find(kBreakpointActions.begin(), kBreakpointActions.end(), action);
+  if (named == kBreakpointActions.end())
     return members.complain("action", fmt::format("\"{}\"", shown(action)), "stop, log or mark");
   Result<Condition> condition = Condition::compile(text);
   if (!condition.ok())
     return members.refuse(
         wrong(fmt::format("\"{}.condition\": {}", members.place(), condition.error().message), condition.error().hint));
-  list.push_back({std::move(*condition), static_cast<Breakpoint::Action>(named - kActions.begin()), enabled});
+  list.push_back({std::move(*condition), static_cast<Breakpoint::Action>(named - kBreakpointActions.begin()), enabled});
 }
 
 void readHash(Members& members, std::vector<StageHash>& list) {
@@ -254,7 +253,7 @@ void checkFormat(Members& root) {
 std::string sessionText(const SessionFile& s) {
   const std::string breakpoints = listOf(s.breakpoints, [](const Breakpoint& b) {
     return fmt::format("{{\"condition\": {}, \"action\": \"{}\", \"enabled\": {}}}", quoted(b.condition.text()),
-                       kActions[static_cast<std::size_t>(b.action)], b.enabled);
+                       kBreakpointActions[static_cast<std::size_t>(b.action)], b.enabled);
   });
   const std::string bookmarks = listOf(s.bookmarks, [](const Bookmark& b) {
     return fmt::format("{{\"tick\": {}, \"name\": {}}}", b.tick, quoted(b.name));

@@ -33,7 +33,6 @@ class Object {
 };
 
 constexpr std::array<std::string_view, 5> kActivities{"idle", "stepping", "playing", "meshing", "searching"};
-constexpr std::array<std::string_view, 3> kThemes{"light", "dark", "high_contrast"};
 constexpr std::array<std::string_view, 5> kSelections{"none", "vertex", "edge", "triangle", "cell"};
 constexpr std::array<std::string_view, 8> kDialogs{"none", "open", "save", "export", "error", "help", "about", "limit"};
 
@@ -307,7 +306,7 @@ std::string describeWindow(const View& view, const std::string& caption) {
       .text("error", ui.error ? describe(*ui.error) : "")
       .text("dialog", word(kDialogs, ui.dialog))
       .text("tab", infoOf(ui.tab).name)
-      .text("theme", word(kThemes, ui.look.theme))
+      .text("theme", word(kThemeNames, ui.look.theme))
       .number("scale", ui.scale())
       .number("speed", ui.speed)
       .number("keys_pressed", static_cast<double>(ui.keysPressed))

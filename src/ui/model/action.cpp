@@ -51,8 +51,8 @@ std::string keyName(int key) {
 
 /// A label without the ellipsis that says a dialog follows.
 std::string_view withoutDots(std::string_view label) {
-  constexpr std::string_view kDots = "…";
-  return label.ends_with(kDots) ? label.substr(0, label.size() - kDots.size()) : label;
+  constexpr std::string_view kEllipsis = "…";
+  return label.ends_with(kEllipsis) ? label.substr(0, label.size() - kEllipsis.size()) : label;
 }
 
 }  // namespace

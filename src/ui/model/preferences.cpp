@@ -13,9 +13,6 @@
 namespace triscope {
 namespace {
 
-constexpr std::array<std::pair<ThemeKind, const char*>, 3> kThemes{
-    {{ThemeKind::light, "light"}, {ThemeKind::dark, "dark"}, {ThemeKind::high_contrast, "high contrast"}}};
-
 void set(Appearance& look, const std::string& name, const std::string& value) {
   const double number = std::strtod(value.c_str(), nullptr);
   if (name == "scale" && (number == 0.0 || (number >= 0.75 && number <= 3.0))) look.scale = number;
@@ -24,8 +21,8 @@ void set(Appearance& look, const std::string& name, const std::string& value) {
   if (name == "bottom height" && number > 0.0) look.bottomHeight = std::clamp(number, 120.0, 900.0);
   if (name == "legend") look.legend = value != "off";
   if (name == "theme")
-    for (const auto& [theme, word] : kThemes)
-      if (value == word) look.theme = theme;
+    for (std::size_t k = 0; k < kThemeNames.size(); ++k)
+      if (value == kThemeNames[k]) look.theme = static_cast<ThemeKind>(k);
 }
 
 }  // namespace
@@ -52,13 +49,11 @@ Appearance readPreferences(const std::string& path) {
 void writePreferences(const std::string& path, const Appearance& look) {
   std::error_code failure;
   std::filesystem::create_directories(std::filesystem::path(path).parent_path(), failure);
-  const char* theme = "light";
-  for (const auto& [kind, word] : kThemes)
-    if (kind == look.theme) theme = word;
   (void)writeWhole(
       path, fmt::format(
                 "theme = {}\nscale = {:g}\nleft width = {:g}\nright width = {:g}\nbottom height = {:g}\nlegend = {}\n",
-                theme, look.scale, look.leftWidth, look.rightWidth, look.bottomHeight, look.legend ? "on" : "off"));
+                kThemeNames[static_cast<std::size_t>(look.theme)], look.scale, look.leftWidth, look.rightWidth,
+                look.bottomHeight, look.legend ? "on" : "off"));
 }
 
 }  // namespace triscope

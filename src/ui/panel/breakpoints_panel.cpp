@@ -15,13 +15,13 @@
 namespace triscope {
 namespace {
 
-constexpr std::array<const char*, 3> kActions{"stop", "log", "mark"};
 constexpr const char* kActionHelp = "Stop there, or only list and mark it on the timeline in passing (log, mark).";
 
 bool chooseAction(const View& view, Breakpoint::Action& action, const std::string& name) {
   int chosen = static_cast<int>(action);
   ImGui::SetNextItemWidth(view.px(84));
-  const bool changed = ImGui::Combo("##action", &chosen, kActions.data(), static_cast<int>(kActions.size()));
+  const bool changed =
+      ImGui::Combo("##action", &chosen, kBreakpointActions.data(), static_cast<int>(kBreakpointActions.size()));
   note(view, name);
   tip(view, kActionHelp);
   action = static_cast<Breakpoint::Action>(chosen);

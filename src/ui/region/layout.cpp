@@ -11,7 +11,7 @@ namespace {
 constexpr double kStatus = 30.0;  // heights and widths in pixels at 100 %
 constexpr double kTimeline = 52.0;
 constexpr double kLowTimeline = 34.0;  // where the window is low
-constexpr double kLowWindow = 500.0;
+constexpr double kLowForPanes = 500.0;
 constexpr double kLowestBottom = 120.0;
 constexpr double kSplitter = 6.0;
 constexpr double kNarrowestSide = 180.0;
@@ -77,7 +77,7 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   left = std::min(left, std::floor(0.8f * window.x));  // asked for where there is no room: over most of the picture
   const float y = menu + toolbar;
   const float status = window.y - px(kStatus);
-  const bool low = static_cast<double>(window.y) < kLowWindow * ui.scale();
+  const bool low = static_cast<double>(window.y) < kLowForPanes * ui.scale();
   const float timeline = px(low ? kLowTimeline : kTimeline);
   const float free = std::max(1.0f, status - y - timeline);
   const float panel =

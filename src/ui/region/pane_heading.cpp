@@ -14,7 +14,7 @@
 namespace triscope {
 namespace {
 
-constexpr double kMargin = 8.0;  // pixels at 100 %
+constexpr double kHeadingMargin = 8.0;  // pixels at 100 %
 
 /// "ω = 0.05, θ = 5°": the values of this run that the other has differently.
 std::string apart(const View& view, bool pinned) {
@@ -38,7 +38,7 @@ bool hasSecondLine(const View& view, float pane) { return pane > 8.0f * view.fon
 
 float paneHeadingHeight(const View& view, float pane) {
   const float second = hasSecondLine(view, pane) ? view.fonts.small->FontSize : 0.0f;
-  return view.fonts.strong->FontSize + second + 2.0f * view.px(kMargin);
+  return view.fonts.strong->FontSize + second + 2.0f * view.px(kHeadingMargin);
 }
 
 void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) {
@@ -47,7 +47,7 @@ void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) 
   const std::string where = standing(pinned ? view.pinned->session() : view.session);
   const ImFont& strong = *view.fonts.strong;
   const ImFont& small = *view.fonts.small;
-  const float margin = view.px(kMargin);
+  const float margin = view.px(kHeadingMargin);
   const float room = size.x - 4.0f * margin;
   const auto width = [](const ImFont& font, const std::string& text) {
     return font.CalcTextSizeA(font.FontSize, 1e6f, 0.0f, text.c_str()).x;

@@ -13,7 +13,7 @@ namespace triscope {
 namespace {
 
 /// Parts from left to right, as long as there is room before `end`.
-struct Row {
+struct StatusRow {
   float end;
   float gap;
   bool first = true;
@@ -71,7 +71,7 @@ void bounds(const View& view, const Quality& q) {
 void drawStatusBar(const View& view, Orders&) {
   const std::string frame = fmt::format("{:.0f} ms", view.ui.frameMs);
   const float frameAt = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(frame.c_str()).x;
-  Row row{frameAt - view.px(12), view.px(20)};
+  StatusRow row{frameAt - view.px(12), view.px(20)};
   const Snapshot* const now = view.now();
   if (view.ui.message.empty() && view.ui.density.placing) {
     ImGui::PushStyleColor(ImGuiCol_Text, toImU32(accentOf(view.theme())));

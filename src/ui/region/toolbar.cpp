@@ -14,7 +14,7 @@ namespace {
 constexpr double kTight = 3.0;   // pixels at 100 %, between buttons of a group
 constexpr double kApart = 19.0;  // between groups
 constexpr double kSpeedWidth = 150.0;
-constexpr double kPadding = 8.0;
+constexpr double kToolPadding = 8.0;
 
 struct WorstButton {
   Action action;
@@ -130,9 +130,9 @@ void more(const View& view, Orders& orders, const std::vector<Group>& groups) {
 }  // namespace
 
 float toolbarHeight(const View& view, float width) {
-  const float row = ImGui::GetFrameHeight() + view.px(kPadding);
-  if (inLowWindow(view)) return row + view.px(kPadding);
-  float height = row + view.px(kPadding);
+  const float row = ImGui::GetFrameHeight() + view.px(kToolPadding);
+  if (inLowWindow(view)) return row + view.px(kToolPadding);
+  float height = row + view.px(kToolPadding);
   float x = 0.0f;
   for (const Group& group : groupsOf(view)) {
     if (x > 0.0f && x + view.px(kApart) + group.width > width - view.px(20)) {
