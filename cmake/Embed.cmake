@@ -34,5 +34,6 @@ function(triscope_embed target function)
     DEPENDS ${ARGN} "${PROJECT_SOURCE_DIR}/cmake/Embed.cmake"
     COMMENT "Embedding ${function}"
     VERBATIM)
+  set_source_files_properties("${output}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # their names are all the same
   target_sources(${target} PRIVATE "${output}")
 endfunction()
