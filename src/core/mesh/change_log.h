@@ -5,16 +5,21 @@
 #include <span>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/mesh/mesh.h"
 
 namespace triscope {
 
 /// While one lives, slots of the mesh that get a new triangle, lose theirs, or have a corner moved are listed, possibly
-/// several times. One at a time for a mesh; a copy that is made of the mesh meanwhile goes on with a list of its own.
+/// several times. One at a time for a mesh, which outlives it; a copy that is made of the mesh meanwhile goes on with a
+/// list of its own.
 class ChangeLog {
  public:
   explicit ChangeLog(Mesh& mesh) : mesh_(&mesh) { mesh.touched.emplace(); }
-  ~ChangeLog() { mesh_->touched.reset(); }
+  ~ChangeLog() {
+    TRISCOPE_DCHECK(mesh_->touched, "a mesh outlives the log of its changes");
+    mesh_->touched.reset();
+  }
   ChangeLog(const ChangeLog&) = delete;
   ChangeLog& operator=(const ChangeLog&) = delete;
 

@@ -22,7 +22,6 @@ QualityTrace QualityTrace::upTo(std::uint64_t tick) const {
 }
 
 bool QualityTrace::carryOn(const History& history, const RunRecord& run, const std::function<bool()>& enough) {
-  constexpr std::uint64_t kBetweenLooks = 64;
   const std::uint64_t end = run.ticks;
   const std::uint64_t last = samples_.empty() ? 0 : samples_.back().tick;
   if (last >= end) return false;
@@ -33,23 +32,28 @@ bool QualityTrace::carryOn(const History& history, const RunRecord& run, const s
     replay_.emplace(Replay{history.stateBefore(last), {}});
     replay_->quality.reset(replay_->state.mesh);
   }
-  MeshState& state = replay_->state;
+  follow(*replay_, end, enough);
+  const bool more = replay_->state.tick < end;
+  if (!more && run.complete) replay_.reset();  // it is as large as the run, and nothing more will be asked
+  return more;
+}
+
+void QualityTrace::follow(Replay& replay, std::uint64_t end, const std::function<bool()>& enough) {
+  constexpr std::uint64_t kBetweenLooks = 64;
+  MeshState& state = replay.state;
   ChangeLog changes(state.mesh);
   Journal deaf;
   while (state.tick < end) {
     const std::uint64_t next = std::min(end, samples_.empty() ? stride_ : samples_.back().tick + stride_);
     if (state.tick >= next || !advanceAPiece(state, deaf)) break;
     if (state.tick >= next) {
-      replay_->quality.update(state.mesh, changes.slots());
+      replay.quality.update(state.mesh, changes.slots());
       changes.clear();
-      sample(*replay_);
+      sample(replay);
     }
     if (state.tick % kBetweenLooks == 0 && enough()) break;
   }
-  replay_->quality.update(state.mesh, changes.slots());
-  const bool more = state.tick < end;
-  if (!more && run.complete) replay_.reset();  // it is as large as the run, and nothing more will be asked
-  return more;
+  replay.quality.update(state.mesh, changes.slots());
 }
 
 void QualityTrace::sample(const Replay& replay) {

@@ -31,6 +31,8 @@ class QualityTrace {
     MeshState state;
     RunningQuality quality;
   };
+  /// Replays up to `end`, or until `enough`, and leaves what it measures up to date.
+  void follow(Replay& replay, std::uint64_t end, const std::function<bool()>& enough);
   void sample(const Replay& replay);
 
   std::vector<QualitySample> samples_;
