@@ -151,6 +151,13 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
   }
 }
 
+void addDegrees(const SceneInput& in, std::vector<LegendItem>& legend) {
+  if (!in.options.degrees || !isCarved(in.state.stage)) return;
+  const IrregularVertices irregular = irregularVertices(in);
+  legend.push_back(mark(kFewer, in.theme.fewer, "degree 5 or less", irregular.fewer.size()));
+  legend.push_back(mark(kMore, in.theme.more, "degree 7 or more", irregular.more.size()));
+}
+
 void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
   const ViewOptions& o = in.options;
   if (!o.triangulation || in.state.mesh.triangles.empty()) return;
@@ -263,6 +270,7 @@ std::vector<LegendItem> buildLegend(const SceneInput& in, std::size_t brushed) {
   addCells(in, legend);
   addConstraints(in, legend);
   addPoints(in, legend);
+  addDegrees(in, legend);
   addFill(in, legend);
   addBrush(in, brushed, legend);
   addWorst(in, legend);

@@ -129,9 +129,13 @@ Slot triangleContaining(const Mesh& mesh, Point p) {
   return {};
 }
 
-Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst) {
+Pick pickCellFirst(const MeshState& state, Point p, double reach) {
+  Pick cell;
+  return pickCell(state.tree, p, cell) ? cell : pick(state, p, reach);
+}
+
+Pick pick(const MeshState& state, Point p, double reach) {
   Pick result;
-  if (cellsFirst && pickCell(state.tree, p, result)) return result;
   const Mesh& mesh = state.mesh;
   if (mesh.liveCount() > 0) {
     if (pickVertex(mesh, p, reach, result)) return result;

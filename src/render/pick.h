@@ -18,8 +18,9 @@ Pick pickOf(const Mesh& mesh, Slot slot);
 Pick pickOf(Vertex vertex);
 
 /// Looks within `reach` (world units: 8 px / camera.scale) of p. Cells are found only where there is no triangle, or
-/// when `cellsFirst` asks for them instead of vertices, edges and triangles.
-Pick pick(const MeshState& state, Point p, double reach, bool cellsFirst = false);
+/// by pickCellFirst(), which looks for a cell before vertices, edges and triangles.
+Pick pick(const MeshState& state, Point p, double reach);
+Pick pickCellFirst(const MeshState& state, Point p, double reach);
 
 /// Whether the state has this element: a live triangle, a vertex not removed, a cell. Kind none it has not.
 bool isPartOf(const MeshState& state, const Selection& selection);

@@ -20,7 +20,18 @@
 
 namespace triscope {
 
-enum class LayerId : std::uint8_t { cells, mesh, boundary, points, fronts, constraints, decision, worst, selection };
+enum class LayerId : std::uint8_t {
+  cells,
+  mesh,
+  boundary,
+  points,
+  fronts,
+  degrees,
+  constraints,
+  decision,
+  worst,
+  selection
+};
 inline constexpr int kLayerCount = static_cast<int>(LayerId::selection) + 1;
 /// Layers that may hold as much as the mesh; the others are small overlays.
 constexpr bool isLarge(LayerId id) { return id <= LayerId::constraints; }

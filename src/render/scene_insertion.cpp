@@ -27,12 +27,12 @@ void addCandidate(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Insertion& insertion = *in.insertion->insertion;
   if (insertion.candidate.exists()) {
-    layer.triangles.push_back(patch(mesh, {insertion.candidate}, faded(in.theme.candidate, 0.25), false));
+    layer.triangles.push_back(patch(mesh, {insertion.candidate}, faded(in.theme.candidate, 0.25)));
     layer.lines.push_back(outlineOf(mesh, insertion.candidate, {in.theme.candidate, 2.2f, Dash::solid, false}));
   }
   if (insertion.splits.exists())
     layer.lines.push_back(
-        polyline({pointOf(mesh, startOf(mesh, insertion.splits)), pointOf(mesh, endOf(mesh, insertion.splits))}, false,
+        polyline({pointOf(mesh, startOf(mesh, insertion.splits)), pointOf(mesh, endOf(mesh, insertion.splits))},
                  splitLine(in.theme)));
 }
 
@@ -44,7 +44,7 @@ void addMeasured(const SceneInput& in, Layer& layer) {
   const bool circumcircle = measuresCircumcircle(insertion);
   if (circumcircle) addCircle(in, layer, {m.from, m.length, 0.0f, measuredLine(in.theme)});
   addCircle(in, layer, {m.from, m.limit, 0.0f, limitCircle(in.theme)});
-  layer.lines.push_back(polyline({m.from, m.to}, false, measuredLine(in.theme)));
+  layer.lines.push_back(polyline({m.from, m.to}, measuredLine(in.theme)));
   if (!in.options.labels) return;
   // Above and below the outermost circle, where nothing of the insertion is in their way.
   const double reach = circumcircle ? std::max(m.length, m.limit) : m.limit;
@@ -64,7 +64,7 @@ void addWalk(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Insertion& insertion = *in.insertion->insertion;
   if (insertion.walk.empty()) return;
-  layer.triangles.push_back(patch(mesh, insertion.walk, faded(in.theme.selection, 0.28), false));
+  layer.triangles.push_back(patch(mesh, insertion.walk, faded(in.theme.selection, 0.28)));
   for (const Slot slot : insertion.walk)
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.selection, 1.4f, Dash::solid, false}));
   std::vector<Point> way;
@@ -72,7 +72,7 @@ void addWalk(const SceneInput& in, Layer& layer) {
   for (const Slot slot : insertion.walk) way.push_back(centroid(mesh, slot));
   const Point first = way.front();
   way.push_back(insertion.at);
-  layer.lines.push_back(polyline(std::move(way), false, walkLine(in.theme)));
+  layer.lines.push_back(polyline(std::move(way), walkLine(in.theme)));
   layer.marks.push_back(oneMark(first, Shape::square, 7.0f, in.theme.candidate, in.theme.background));
 }
 
@@ -81,7 +81,7 @@ void addCavity(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Cavity& cavity = in.insertion->insertion->cavity;
   const std::vector<Slot> slots(cavity.triangles().begin(), cavity.triangles().end());
-  layer.triangles.push_back(patch(mesh, slots, in.theme.removed, true));
+  layer.triangles.push_back(hatchedPatch(mesh, slots, in.theme.removed));
   for (const Slot slot : slots) {
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.removed, 1.4f, Dash::dotted, false}));
     const Triangle& t = triangleAt(mesh, slot);

@@ -38,6 +38,11 @@ LayerKey frontsKey(const SceneInput& in, const KeyStart& start) {
   return key << in.options.fronts << in.state.front1.size() << in.state.front2.size();
 }
 
+LayerKey degreesKey(const SceneInput& in, const KeyStart& start) {
+  LayerKey key = start.moment;
+  return key << in.options.degrees;
+}
+
 LayerKey constraintsKey(const SceneInput& in, const KeyStart& start) {
   LayerKey key = start.run;
   return key << in.options.constraints << in.state.constraints.size();
@@ -71,6 +76,7 @@ constexpr std::array<LayerPart, kLayerCount> kParts{
     LayerPart{LayerId::boundary, boundaryKey, buildBoundary},
     LayerPart{LayerId::points, pointsKey, buildPoints},
     LayerPart{LayerId::fronts, frontsKey, buildFronts},
+    LayerPart{LayerId::degrees, degreesKey, buildDegrees},
     LayerPart{LayerId::constraints, constraintsKey, buildConstraints},
     LayerPart{LayerId::decision, decisionKey, buildDecision},
     LayerPart{LayerId::worst, worstKey, buildWorst},

@@ -28,7 +28,7 @@ Star liveStar(const Mesh& mesh, Vertex vertex) {
 LineBatch cellOutline(const Quadtree& tree, const Cell& cell, LineStyle style) {
   const Point lo = tree.corner(cell);
   const double side = tree.side(cell);
-  return polyline({lo, {lo.x + side, lo.y}, {lo.x + side, lo.y + side}, {lo.x, lo.y + side}}, true, style);
+  return polygon({lo, {lo.x + side, lo.y}, {lo.x + side, lo.y + side}, {lo.x, lo.y + side}}, style);
 }
 
 std::vector<Slot> slotsCreated(const Mesh& mesh, const Event& event) {
@@ -57,11 +57,11 @@ void addInsertion(const SceneInput& in, Layer& layer) {
   const Vertex vertex(event.vertex);
   const Star star = liveStar(mesh, vertex);
   const std::vector<Vertex> rim = rimVertices(mesh, star);
-  layer.triangles.push_back(patch(mesh, slotsOf(star), in.theme.created, true));
+  layer.triangles.push_back(hatchedPatch(mesh, slotsOf(star), in.theme.created));
   std::vector<Point> around;
   around.reserve(rim.size());
   for (const Vertex v : rim) around.push_back(pointOf(mesh, v));
-  layer.lines.push_back(polyline(std::move(around), true, {in.theme.created, 1.8f, Dash::solid, false}));
+  layer.lines.push_back(polygon(std::move(around), {in.theme.created, 1.8f, Dash::solid, false}));
   LineBatch removed;
   removed.style = {in.theme.removed, 1.6f, Dash::dotted, false};
   for (const auto& edge : edgesBefore(mesh, rim)) {
@@ -85,7 +85,7 @@ void addRefusal(const SceneInput& in, Layer& layer) {
   addCircumcircle(in, layer);
   if (event.kind == EventKind::vertex_kept && mesh.points.has(Vertex(event.vertex))) {
     const Point stays = mesh.points[Vertex(event.vertex)];
-    layer.lines.push_back(polyline({stays, event.at}, false, {in.theme.refused, 1.4f, Dash::dotted, false}));
+    layer.lines.push_back(polyline({stays, event.at}, {in.theme.refused, 1.4f, Dash::dotted, false}));
     layer.marks.push_back(oneMark(stays, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
   }
   layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
@@ -103,7 +103,7 @@ void addMove(const SceneInput& in, Layer& layer) {
   for (const Slot slot : slotsCreated(mesh, event)) {
     if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
   }
-  layer.triangles.push_back(patch(mesh, slots, in.theme.created, true));
+  layer.triangles.push_back(hatchedPatch(mesh, slots, in.theme.created));
   LineBatch spokes;  // where the edges to the vertex were
   spokes.style = {in.theme.removed, 1.4f, Dash::dotted, false};
   spokes.points.push_back(event.from);
@@ -112,7 +112,7 @@ void addMove(const SceneInput& in, Layer& layer) {
     spokes.points.push_back(pointOf(mesh, v));
   }
   layer.lines.push_back(std::move(spokes));
-  layer.lines.push_back(polyline({event.from, event.at}, false, {in.theme.candidate, 2.2f, Dash::solid, false}));
+  layer.lines.push_back(polyline({event.from, event.at}, {in.theme.candidate, 2.2f, Dash::solid, false}));
   layer.marks.push_back(oneMark(event.from, Shape::ring, 7.0f, in.theme.removed, {0, 0, 0, 0}));
   layer.marks.push_back(oneMark(event.at, Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
 }
@@ -120,7 +120,7 @@ void addMove(const SceneInput& in, Layer& layer) {
 void addRemoval(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Event& event = *in.current;
-  layer.triangles.push_back(patch(mesh, slotsCreated(mesh, event), in.theme.created, true));
+  layer.triangles.push_back(hatchedPatch(mesh, slotsCreated(mesh, event), in.theme.created));
   // The place of a vertex outlives it.
   const Point was = mesh.points.has(Vertex(event.vertex)) ? mesh.points[Vertex(event.vertex)] : event.at;
   layer.marks.push_back(oneMark(was, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
@@ -223,18 +223,16 @@ void buildSelection(const SceneInput& in, Layer& layer) {
     case Selection::Kind::none:
       break;
     case Selection::Kind::vertex:
-      layer.triangles.push_back(
-          patch(mesh, slotsOf(liveStar(mesh, s.vertex())), faded(in.theme.selection, 0.22), false));
+      layer.triangles.push_back(patch(mesh, slotsOf(liveStar(mesh, s.vertex())), faded(in.theme.selection, 0.22)));
       layer.marks.push_back(oneMark(pointOf(mesh, s.vertex()), Shape::ring, 13.0f, in.theme.selection, {0, 0, 0, 0}));
       break;
     case Selection::Kind::edge: {
       const Half half = s.half();
-      layer.lines.push_back(
-          polyline({pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half))}, false, line));
+      layer.lines.push_back(polyline({pointOf(mesh, startOf(mesh, half)), pointOf(mesh, endOf(mesh, half))}, line));
       break;
     }
     case Selection::Kind::triangle:
-      layer.triangles.push_back(patch(mesh, {s.slot()}, faded(in.theme.selection, 0.3), false));
+      layer.triangles.push_back(patch(mesh, {s.slot()}, faded(in.theme.selection, 0.3)));
       layer.lines.push_back(outlineOf(mesh, s.slot(), line));
       break;
     case Selection::Kind::cell:

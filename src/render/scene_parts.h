@@ -39,6 +39,17 @@ void buildPoints(const SceneInput& in, Layer& layer);
 /// The vertices of a front that are still in the mesh: those that are drawn and counted.
 std::vector<Vertex> frontInMesh(const Mesh& mesh, const std::vector<Vertex>& front);
 void buildFronts(const SceneInput& in, Layer& layer);
+void buildDegrees(const SceneInput& in, Layer& layer);
+/// Vertices that are marked for having fewer, or more, triangles than equilateral ones would give them.
+struct IrregularVertices {
+  std::vector<Vertex> fewer;
+  std::vector<Vertex> more;
+};
+IrregularVertices irregularVertices(const SceneInput& in);
+inline constexpr Shape kFewer = Shape::triangle;
+inline constexpr Shape kMore = Shape::square;
+/// Typical distance to the neighbours of a vertex, from the density rank where it was placed.
+float spacingOf(const MeshState& state, Vertex vertex);
 void buildConstraints(const SceneInput& in, Layer& layer);
 void buildDecision(const SceneInput& in, Layer& layer);
 void buildInsertion(const SceneInput& in, Layer& layer);

@@ -6,27 +6,14 @@
 #include "core/mesh/edit.h"
 #include "render/boundary_points.h"
 #include "render/scene_parts.h"
+#include "render/scene_shapes.h"
 
 namespace triscope::detail {
-namespace {
-
 using std::size_t;
 
-// Typical distance to the neighbours of a vertex, from the density rank where it was placed.
 float spacingOf(const MeshState& state, Vertex vertex) {
   return static_cast<float>(edgeLengthOf(state.tree, std::max<int>(1, state.mesh.density[vertex])));
 }
-
-MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {
-  MarkBatch batch;
-  batch.shape = shape;
-  batch.size = size;
-  batch.fill = fill;
-  batch.outline = outline;
-  return batch;
-}
-
-}  // namespace
 
 void buildPoints(const SceneInput& in, Layer& layer) {
   const MeshState& state = in.state;

@@ -5,8 +5,13 @@
 namespace triscope::detail {
 
 MarkBatch oneMark(Point p, Shape shape, float size, Color fill, Color outline) {
-  MarkBatch batch;
+  MarkBatch batch = markBatch(shape, size, fill, outline);
   batch.at.push_back(p);
+  return batch;
+}
+
+MarkBatch markBatch(Shape shape, float size, Color fill, Color outline) {
+  MarkBatch batch;
   batch.shape = shape;
   batch.size = size;
   batch.fill = fill;
@@ -14,22 +19,28 @@ MarkBatch oneMark(Point p, Shape shape, float size, Color fill, Color outline) {
   return batch;
 }
 
-LineBatch polyline(std::vector<Point> points, bool closed, LineStyle style) {
+LineBatch polyline(std::vector<Point> points, LineStyle style) {
   LineBatch batch;
   batch.style = style;
   const auto n = static_cast<std::uint32_t>(points.size());
   for (std::uint32_t i = 0; i + 1 < n; ++i) batch.segments.push_back({i, i + 1});
-  if (closed && n > 2) batch.segments.push_back({n - 1, 0});
   batch.points = std::move(points);
+  return batch;
+}
+
+LineBatch polygon(std::vector<Point> points, LineStyle style) {
+  LineBatch batch = polyline(std::move(points), style);
+  const auto n = static_cast<std::uint32_t>(batch.points.size());
+  if (n > 2) batch.segments.push_back({n - 1, 0});
   return batch;
 }
 
 LineBatch outlineOf(const Mesh& mesh, Slot slot, LineStyle style) {
   const Triangle& t = triangleAt(mesh, slot);
-  return polyline({pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])}, true, style);
+  return polygon({pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])}, style);
 }
 
-TriangleBatch patch(const Mesh& mesh, const std::vector<Slot>& slots, Color fill, bool hatched) {
+TriangleBatch patch(const Mesh& mesh, const std::vector<Slot>& slots, Color fill) {
   TriangleBatch batch;
   for (const Slot slot : slots) {
     const auto first = static_cast<std::uint32_t>(batch.points.size());
@@ -37,7 +48,12 @@ TriangleBatch patch(const Mesh& mesh, const std::vector<Slot>& slots, Color fill
     batch.triangles.push_back({first, first + 1, first + 2});
   }
   batch.fills.push_back(fill);
-  batch.hatched = hatched;
+  return batch;
+}
+
+TriangleBatch hatchedPatch(const Mesh& mesh, const std::vector<Slot>& slots, Color fill) {
+  TriangleBatch batch = patch(mesh, slots, fill);
+  batch.hatched = true;
   return batch;
 }
 

@@ -44,6 +44,7 @@ struct ViewOptions {
   bool constraints = false;   // density constraints with their source
   bool fronts = true;         // ● front 1, ◆ front 2
   bool steiner = false;       // ▲ points of steps 1-5
+  bool degrees = false;       // vertices with fewer or more triangles than six
   bool triangulation = true;
   bool helpers = true;  // triangles outside the domain, before carve
   TriangleFill fill = TriangleFill::plain;

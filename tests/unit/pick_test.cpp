@@ -48,7 +48,8 @@ TEST(Pick, CellsAreFoundWhereThereIsNoTriangleOrWhenAskedFor) {
   EXPECT_EQ(hole.selection.index, leafAt(meshed().tree, inHole));
   const Point inside{5.1, 5.2};
   EXPECT_NE(pick(meshed(), inside, 1e-3).selection.kind, Kind::cell);
-  EXPECT_EQ(pick(meshed(), inside, 1e-3, true).selection, (Selection{Kind::cell, leafAt(meshed().tree, inside), -1}));
+  EXPECT_EQ(pickCellFirst(meshed(), inside, 1e-3).selection,
+            (Selection{Kind::cell, leafAt(meshed().tree, inside), -1}));
 }
 
 TEST(Pick, FindsTheEdgeFromOutsideAndNothingFarAway) {
@@ -95,7 +96,7 @@ TEST(Pick, IsPresentWhereTheMeshHasItAndNowhereElse) {
     EXPECT_EQ(present(later, found), found.selection);
     EXPECT_EQ(present(start, found), Selection{}) << "no mesh and no tree yet";
   }
-  const Pick cell = pick(later, {5.0, 5.0}, 0.0, true);
+  const Pick cell = pickCellFirst(later, {5.0, 5.0}, 0.0);
   EXPECT_EQ(present(later, cell), cell.selection);
   EXPECT_EQ(present(start, cell), Selection{});
   // A slot that another triangle has now does not stand for the one meant.

@@ -53,7 +53,7 @@ Point anyPlace(Random& draw, const Box& box) {
 ViewOptions anyView(Random& draw) {
   ViewOptions o;
   for (bool* const layer :
-       {&o.boundary, &o.boundaryPoints, &o.quadtree, &o.outsideCells, &o.constraints, &o.fronts, &o.steiner,
+       {&o.boundary, &o.boundaryPoints, &o.quadtree, &o.outsideCells, &o.constraints, &o.fronts, &o.steiner, &o.degrees,
         &o.triangulation, &o.helpers, &o.obtuse, &o.worst, &o.decision, &o.labels, &o.dimmed, &o.brush.on})
     *layer = draw.below(2) == 0;
   o.cells = anyOf<CellColoring>(draw, 3);
@@ -129,7 +129,8 @@ void look(Viewer& v) {
   }
   const Point place = anyPlace(v.draw, state.domain->bounds);
   EXPECT_EQ(wantedAt(state.tree, place).has_value(), !state.tree.cells.empty());
-  const Pick found = pick(state, place, v.draw.between(0.0, 0.5), v.draw.below(2) == 0);
+  const double reach = v.draw.between(0.0, 0.5);
+  const Pick found = v.draw.below(2) == 0 ? pickCellFirst(state, place, reach) : pick(state, place, reach);
   if (found.selection.kind != Selection::Kind::none) {
     EXPECT_EQ(present(state, found), found.selection);
     v.seen.push_back(found);

@@ -178,7 +178,7 @@ class Complete(unittest.TestCase):
             with open(part, encoding="utf-8") as file:
                 table += file.read()
         self.assertIn("{Action::quit,", table)
-        layers = {"boundary", "boundary_points", "quadtree", "constraints", "fronts", "steiner", "triangulation",
+        layers = {"boundary", "boundary_points", "quadtree", "constraints", "fronts", "steiner", "degrees", "triangulation",
                   "obtuse", "worst", "decision", "labels", "legend"}  # taken from the state file
         for action in re.findall(r'\{Action::(\w+),', table):
             if action not in layers and action not in ("about", "restore_work"):

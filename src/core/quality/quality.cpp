@@ -68,7 +68,7 @@ double largestAngle(const TriangleSide (&sides)[3]) {
 double roughCosine(double left, double right, double opposite) {
   return (left + right - opposite) / (2.0 * std::sqrt(left * right));
 }
-constexpr double kClearly = 1e-9;  // cosines this far apart are those of different angles
+constexpr double kClearlyApart = 1e-9;  // cosines this far apart are those of different angles
 
 constexpr std::size_t kPart = 1024;  // slots
 
@@ -129,11 +129,11 @@ QualityPart measurePart(const Mesh& mesh, const InsideBox& inside, std::size_t w
     const TriangleId id = mesh.ids[slot];
     takeLargest(part.aspect, {t.aspect, id, slot, {}});
     takeLargest(part.edgeRatio, {t.edgeRatio, id, slot, {}});
-    if (!(ofSmallest < smallest - kClearly)) {
+    if (!(ofSmallest < smallest - kClearlyApart)) {
       takeSmallest(part.minAngle, {smallestAngle(sides), id, slot, {}});
       smallest = std::max(smallest, ofSmallest);
     }
-    if (!(ofLargest > largest + kClearly)) {
+    if (!(ofLargest > largest + kClearlyApart)) {
       takeLargest(part.maxAngle, {largestAngle(sides), id, slot, {}});
       largest = std::min(largest, ofLargest);
     }

@@ -21,6 +21,14 @@ Pick pickOf(Ref ref) {
   return pick;
 }
 
+/// Decisions that have a bookmark, or met a breakpoint that did not stop there.
+std::vector<std::uint64_t> marksOf(const Desk& desk) {
+  std::vector<std::uint64_t> marks;
+  for (const Bookmark& mark : desk.ui.debug.bookmarks) marks.push_back(mark.tick);
+  for (const PassedHit& hit : desk.session.hits()) marks.push_back(hit.tick);
+  return marks;
+}
+
 }  // namespace
 
 void Debugging::showFound() {
@@ -58,16 +66,20 @@ void Debugging::toggleBookmark() {
   desk_.ui.message = fmt::format("Bookmark at decision {}. J and Shift+J go to it.", grouped(tick));
 }
 
-void Debugging::goToMark(bool after) {
+void Debugging::goToMarkBefore() {
   const std::uint64_t tick = desk_.shown->state.tick;
-  std::optional<std::uint64_t> best;
-  const auto offer = [&](std::uint64_t mark) {
-    if (after ? mark <= tick : mark >= tick) return;
-    if (!best || (after ? mark < *best : mark > *best)) best = mark;
-  };
-  for (const Bookmark& mark : desk_.ui.debug.bookmarks) offer(mark.tick);
-  for (const PassedHit& hit : desk_.session.hits()) offer(hit.tick);
-  if (best) desk_.orders.emplace_back(command::Seek{*best});
+  std::optional<std::uint64_t> last;
+  for (const std::uint64_t mark : marksOf(desk_))
+    if (mark < tick && (!last || mark > *last)) last = mark;
+  if (last) desk_.orders.emplace_back(command::Seek{*last});
+}
+
+void Debugging::goToMarkAfter() {
+  const std::uint64_t tick = desk_.shown->state.tick;
+  std::optional<std::uint64_t> first;
+  for (const std::uint64_t mark : marksOf(desk_))
+    if (mark > tick && (!first || mark < *first)) first = mark;
+  if (first) desk_.orders.emplace_back(command::Seek{*first});
 }
 
 void Debugging::addBreakpoint() {

@@ -17,7 +17,8 @@ class Debugging {
   void addBreakpoint();
   void type(const order::TypeCondition& typed);
   void toggleBookmark();
-  void goToMark(bool after);
+  void goToMarkBefore();
+  void goToMarkAfter();
   /// Selects an element, or goes to an event.
   void follow(Ref ref);
   /// To be called when there is something new to show.

@@ -78,6 +78,7 @@ enum class Action : std::uint8_t {
   constraints,
   fronts,
   steiner,
+  degrees,
   triangulation,
   obtuse,
   worst,

@@ -59,8 +59,8 @@ void boxZoom(const View& view, Orders& orders, ImVec2 corner, bool released) {
 void click(const View& view, Orders& orders, Pixel mouse) {
   if (view.now() == nullptr) return;
   const double reach = kPickReach * view.ui.scale() / view.ui.camera.scale;
-  const bool cells = ImGui::GetIO().KeyCtrl;
-  orders.emplace_back(order::SelectElement{pick(view.now()->state, toWorld(view.ui.camera, mouse), reach, cells)});
+  const auto look = ImGui::GetIO().KeyCtrl ? pickCellFirst : pick;
+  orders.emplace_back(order::SelectElement{look(view.now()->state, toWorld(view.ui.camera, mouse), reach)});
 }
 
 void centreOn(const View& view, Orders& orders, Pixel mouse) {
@@ -73,7 +73,7 @@ void centreOn(const View& view, Orders& orders, Pixel mouse) {
 void aboutTheElement(const View& view, Orders& orders, Pixel mouse) {
   if (view.now() == nullptr) return;
   const double reach = kPickReach * view.ui.scale() / view.ui.camera.scale;
-  const Pick here = pick(view.now()->state, toWorld(view.ui.camera, mouse), reach, false);
+  const Pick here = pick(view.now()->state, toWorld(view.ui.camera, mouse), reach);
   const std::optional<Ref> ref = refOf(here);
   const auto entry = [&](const char* label, const std::string& keys, const char* name) {
     const bool pressed = ImGui::MenuItem(label, keys.c_str(), false, ref.has_value());
@@ -113,7 +113,7 @@ void contextMenu(const View& view, Orders& orders, ImVec2 corner) {
   aboutTheElement(view, orders, mouse);
   const bool hasCells = view.now() != nullptr && !view.now()->state.tree.cells.empty();
   if (ImGui::MenuItem("Select the quadtree cell here", "Ctrl+click", false, hasCells))
-    orders.emplace_back(order::SelectElement{pick(view.now()->state, world, 0.0, true)});
+    orders.emplace_back(order::SelectElement{pickCellFirst(view.now()->state, world, 0.0)});
   note(view, "context.cell", hasCells);
   if (ImGui::MenuItem("Centre here", "double click")) centreOn(view, orders, mouse);
   if (ImGui::MenuItem("Copy coordinates"))
@@ -229,7 +229,7 @@ void pane(const View& shown, const View& live, Orders& orders, const Region& whe
   labels(shown, corner, avoid, isLive);
   if (live.pinned != nullptr) otherCursor(live, corner);
   if (shown.legendOnCanvas) overlayLegend(shown, corner, where.size);
-  if (live.pinned != nullptr) drawPaneHeading(live, !isLive, corner, where.size);
+  if (live.pinned != nullptr) drawPaneHeading(live, isLive ? Pane::live : Pane::pinned, corner, where.size);
   list.PopClipRect();
   contextMenu(live, orders, corner);
   ImGui::PopID();
@@ -240,7 +240,7 @@ void pane(const View& shown, const View& live, Orders& orders, const Region& whe
 void drawCanvas(const View& view, Orders& orders) {
   const Region whole{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
   if (whole.size.x < 1.0f || whole.size.y < 1.0f) return;
-  const Panes panes = panesOf(whole, view.pinned != nullptr);
+  const Panes panes = view.pinned != nullptr ? twoPanes(whole) : onePane(whole);
   if (view.pinned != nullptr) {
     const PinnedRun& run = *view.pinned;
     const View a{{run.session(), view.ui}, run.scene(), view.fonts, view.debug, run.texture(), false, view.widgets};

@@ -117,8 +117,9 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   };
 }
 
-Panes panesOf(const Region& canvas, bool comparing) {
-  if (!comparing) return {{}, canvas};
+Panes onePane(const Region& canvas) { return {{}, canvas}; }
+
+Panes twoPanes(const Region& canvas) {
   constexpr float kBetween = 2.0f;
   const float width = std::max(1.0f, std::floor(0.5f * (canvas.size.x - kBetween)));
   const float right = canvas.at.x + canvas.size.x - width;

@@ -37,7 +37,8 @@ struct Panes {
   Region pinned;
   Region live;
 };
-Panes panesOf(const Region& canvas, bool comparing);
+Panes onePane(const Region& canvas);
+Panes twoPanes(const Region& canvas);
 
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags = 0);

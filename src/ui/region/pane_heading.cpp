@@ -41,7 +41,8 @@ float paneHeadingHeight(const View& view, float pane) {
   return view.fonts.strong->FontSize + second + 2.0f * view.px(kHeadingMargin);
 }
 
-void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size) {
+void drawPaneHeading(const View& view, Pane pane, ImVec2 corner, ImVec2 size) {
+  const bool pinned = pane == Pane::pinned;
   const std::string name = pinned ? "A" : "B";
   const std::string values = apart(view, pinned);
   const std::string where = standing(pinned ? view.pinned->session() : view.session);

@@ -14,7 +14,8 @@ float toolbarHeight(const View& view, float width);
 void drawToolbar(const View& view, Orders& orders);
 void drawCanvas(const View& view, Orders& orders);
 /// Over the upper left corner of one of two pictures: which run it is, and what sets it apart.
-void drawPaneHeading(const View& view, bool pinned, ImVec2 corner, ImVec2 size);
+enum class Pane : std::uint8_t { pinned, live };
+void drawPaneHeading(const View& view, Pane pane, ImVec2 corner, ImVec2 size);
 /// Height that it may take of a picture of this height, with the gap above it.
 float paneHeadingHeight(const View& view, float pane);
 void drawCaption(const View& view, Orders& orders);
