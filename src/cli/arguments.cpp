@@ -10,8 +10,10 @@
 
 #include "cli/exit_codes.h"
 #include "cli/messages.h"
+#include "cli/outputs.h"
 #include "cli/stage_names.h"
 #include "core/base/version.h"
+#include "core/io/read_mesh.h"
 
 namespace triscope {
 namespace {
@@ -86,6 +88,10 @@ Status applyRequests(DebugCommand& options, const Texts& texts) {
   return success();
 }
 
+void addQuiet(CLI::App& command, Notices& notices, const char* what) {
+  command.add_flag_callback("-q,--quiet", [&notices] { notices = Notices::none; }, what);
+}
+
 void addSet(CLI::App& command, Texts& texts) {
   command.add_option("--set", texts.set, "Change a setting; 'triscope settings' lists them")
       ->type_name("KEY=VALUE")
@@ -112,9 +118,9 @@ CLI::App& addMesh(CLI::App& app, MeshCommand& options, Texts& texts) {
   CLI::App& mesh =
       *app.add_subcommand("mesh", "Mesh a domain without a window; notes say which bounds are not met, and where");
   mesh.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
-  mesh.add_option(
-          "-o,--output", options.outputs,
-          "File to write: .msh, .vtu, .node (with .ele and .poly), .su2, .off, .obj, .svg or .png; may be given again")
+  mesh.add_option("-o,--output", options.outputs,
+                  fmt::format("File to write: {} or {}; .node brings .ele and .poly; may be given again",
+                              meshFormatsWritten(), figureFormats()))
       ->type_name("FILE")
       ->allow_extra_args(false);
   mesh.add_option("--until", texts.stage, "Last stage to run: " + stageNames())->type_name("STAGE");
@@ -122,13 +128,13 @@ CLI::App& addMesh(CLI::App& app, MeshCommand& options, Texts& texts) {
   mesh.add_option("--report", options.report, "Write the figures of the run as JSON")->type_name("FILE");
   mesh.add_option("--events", options.events, "Write every decision, one JSON object a line")->type_name("FILE");
   mesh.add_flag("--msh2", options.msh2, "Write .msh files in version 2.2 of the format, not 4.1");
-  mesh.add_flag("-q,--quiet", options.quiet, "Say nothing unless something is wrong");
+  addQuiet(mesh, options.notices, "Say nothing unless something is wrong");
   return mesh;
 }
 
 CLI::App& addCheck(CLI::App& app, CheckCommand& options) {
   CLI::App& check = *app.add_subcommand("check", "Judge a mesh file: the bounds of the paper, and whether it is valid");
-  check.add_option("MESH", options.mesh, "Mesh file: .msh, .vtu, .node, .su2, .off or .obj")->required()->type_name("");
+  check.add_option("MESH", options.mesh, "Mesh file: " + meshFormatsRead())->required()->type_name("");
   check.add_option("--domain", options.domain, "Domain file that the mesh must fill")->type_name("FILE");
   return check;
 }
@@ -155,7 +161,7 @@ CLI::App& addFigure(CLI::App& app, FigureCommand& options, Texts& texts) {
       ->check(CLI::Range(64, 16384))
       ->capture_default_str();
   figure.add_flag("--dark", options.dark, "Light lines on a dark ground");
-  figure.add_flag("-q,--quiet", options.quiet, "Say nothing unless something is wrong");
+  addQuiet(figure, options.notices, "Say nothing unless something is wrong");
   return figure;
 }
 
@@ -185,7 +191,7 @@ CLI::App& addDebug(CLI::App& app, DebugCommand& options, Texts& texts) {
       ->allow_extra_args(false);
   debug.add_flag("--json", options.json, "Print one JSON object instead of text");
   debug.add_option("--save-session", options.saveSession, "Write a session file of that place")->type_name("FILE");
-  debug.add_flag("-q,--quiet", options.quiet, "Show no progress");
+  addQuiet(debug, options.notices, "Show no progress");
   return debug;
 }
 
@@ -204,14 +210,14 @@ CLI::App& addSweep(CLI::App& app, SweepCommand& options, Texts& texts) {
   sweep.add_option("-j", options.threads, "Pairs to run at a time; as many as there are cores")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
-  sweep.add_flag("-q,--quiet", options.quiet, "Say nothing unless something is wrong");
+  addQuiet(sweep, options.notices, "Say nothing unless something is wrong");
   return sweep;
 }
 
 CLI::App& addReplay(CLI::App& app, ReplayCommand& options) {
   CLI::App& replay = *app.add_subcommand("replay", "Run a session again and check that every stage is as recorded");
   replay.add_option("FILE", options.file, "Session file")->required()->type_name("");
-  replay.add_flag("-q,--quiet", options.quiet, "Show no progress and no notes");
+  addQuiet(replay, options.notices, "Show no progress and no notes");
   return replay;
 }
 

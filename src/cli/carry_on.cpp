@@ -35,36 +35,36 @@ std::string hubAt(const MeshState& state, const Event& failure) {
 
 }  // namespace
 
-Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, bool quiet) {
+Result<MeshState> beginFile(const std::string& domainFile, const Settings& settings, Notices notices) {
   Result<Domain> domain = readDomain(domainFile);
   if (!domain.ok()) return domain.error();
-  ProgressLine progress(!quiet);
+  ProgressLine progress(notices);
   Result<MeshState> state =
       begin(std::make_shared<const Domain>(std::move(*domain)), settings, [&progress](double fraction) {
         progress.show(fmt::format("looking for the smallest edge length, {:.0f} %", 100.0 * fraction));
         return true;
       });
   progress.clear();
-  if (state.ok() && state->minEdgeDerived && !quiet)
+  if (state.ok() && state->minEdgeDerived && notices == Notices::shown)
     say("aiming at a smallest edge length of {:g}, derived from the geometry; --set min_edge_length=… chooses "
         "another\n",
         state->minEdge);
-  if (state.ok() && !quiet)
+  if (state.ok() && notices == Notices::shown)
     for (const std::string& cut : requestsCut(*state->domain, state->minEdge)) say("note: {}\n", cut);
   return state;
 }
 
-Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, bool quiet) {
+Result<StageSeconds> carryOn(MeshState& state, Stage last, EventsFile* events, Notices notices) {
   using Clock = std::chrono::steady_clock;
   StageSeconds seconds{};
   std::vector<Event> slice;
   Journal journal{events != nullptr ? &slice : nullptr};
-  ProgressLine progress(!quiet);
+  ProgressLine progress(notices);
   for (bool more = true; more;) {
     const Stage stage = state.stage;
     const Clock::time_point start = Clock::now();
     for (int i = 0; i < kSlice && more && state.stage == stage; ++i) more = advanceUntil(state, last, 1, journal);
-    if (stage == Stage::density && state.stage != stage && !state.failed && !quiet) {
+    if (stage == Stage::density && state.stage != stage && !state.failed && notices == Notices::shown) {
       progress.clear();
       say("about {} triangles and {} of memory by the estimate of Table 1\n", roughCount(state.estimatedTriangles),
           bytesText(estimateOf(state).bytes));

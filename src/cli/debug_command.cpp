@@ -120,7 +120,7 @@ ExitCode runCommand(const DebugCommand& options) {
     return fail(error);
   }
   if (options.firstViolation) *breakpoints = violationBreakpoints();
-  Result<MeshState> start = beginFile(options.domain, options.settings, true);
+  Result<MeshState> start = beginFile(options.domain, options.settings, Notices::none);
   if (!start.ok()) return fail(start.error());
 
   OutputSet files;
@@ -128,7 +128,7 @@ ExitCode runCommand(const DebugCommand& options) {
     if (const Result<AtomicFile*> file = files.open(options.saveSession); !file.ok()) return fail(file.error());
   }
 
-  Debuggee at{.driver = {}, .log = {}, .progress = ProgressLine(!options.quiet)};
+  Debuggee at{.driver = {}, .log = {}, .progress = ProgressLine(options.notices)};
   Driver& driver = at.driver;
   driver.run = runFrom(std::move(*start));
   driver.breakpoints = std::move(*breakpoints);
@@ -145,7 +145,7 @@ ExitCode runCommand(const DebugCommand& options) {
   const std::string answers = options.json ? answersAsJson(stop, options.prints) : answersAsText(stop, options.prints);
   answerText(answers);
 
-  if (options.firstViolation && !hit && !options.quiet)
+  if (options.firstViolation && !hit && options.notices == Notices::shown)
     say("note: no rule of validity and no bound of the paper is broken up to the end of the run\n");
   if (options.firstViolation) return hit ? ExitCode::unmet : ExitCode::ok;
   if (onwards && !hit) {

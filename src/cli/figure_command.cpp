@@ -47,13 +47,13 @@ ViewOptions viewOf(const FigureCommand& options) {
 
 ExitCode runCommand(const FigureCommand& options) {
   if (const Status known = checkFigures(options.outputs); !known.ok()) return fail(known.error());
-  Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
+  Result<MeshState> state = beginFile(options.domain, options.settings, options.notices);
   if (!state.ok()) return fail(state.error());
   if (const Status inside = checkBox(options, state->domain->bounds); !inside.ok()) return fail(inside.error());
   OutputSet files;
   if (const Status open = openOutputs(options.outputs, files); !open.ok()) return fail(open.error());
 
-  if (const Result<StageSeconds> done = carryOn(*state, options.stage, nullptr, options.quiet); !done.ok())
+  if (const Result<StageSeconds> done = carryOn(*state, options.stage, nullptr, options.notices); !done.ok())
     return fail(done.error());
   if (state->failed) return fail(failureOf(*state));
 
@@ -70,7 +70,7 @@ ExitCode runCommand(const FigureCommand& options) {
     if (const Status written = files.write(path, *picture); !written.ok()) return fail(written.error());
   }
   if (const Status written = files.commit(); !written.ok()) return fail(written.error());
-  if (!options.quiet)
+  if (options.notices == Notices::shown)
     for (const std::string& path : options.outputs) say("wrote {}\n", path);
   return ExitCode::ok;
 }

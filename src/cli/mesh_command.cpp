@@ -46,7 +46,8 @@ Status writeAll(const MeshCommand& options, const MeshState& state, const Qualit
   if (state.failed) {
     for (const std::string& path : options.outputs)
       for (const std::string& name : filesOf(path)) files.leaveOut(name);
-  } else if (Status written = writeOutputs(options.outputs, state, options.until, options.msh2, files); !written.ok()) {
+  } else if (Status written = writeOutputs(options.outputs, state, options.until, {.msh2 = options.msh2}, files);
+             !written.ok()) {
     return written;
   }
   if (!options.report.empty()) {
@@ -63,8 +64,8 @@ Status writeAll(const MeshCommand& options, const MeshState& state, const Qualit
 
 ExitCode runCommand(const MeshCommand& options) {
   if (const Status known = checkOutputs(options.outputs, options.until); !known.ok()) return fail(known.error());
-  if (!options.quiet) warnOfUnusualSettings(options.settings);
-  Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
+  if (options.notices == Notices::shown) warnOfUnusualSettings(options.settings);
+  Result<MeshState> state = beginFile(options.domain, options.settings, options.notices);
   if (!state.ok()) return fail(state.error());
   std::vector<std::string> paths = options.outputs;
   if (!options.report.empty()) paths.push_back(options.report);
@@ -78,14 +79,14 @@ ExitCode runCommand(const MeshCommand& options) {
     paths.push_back(options.events);
   }
 
-  const Result<StageSeconds> seconds = carryOn(*state, options.until, events ? &*events : nullptr, options.quiet);
+  const Result<StageSeconds> seconds = carryOn(*state, options.until, events ? &*events : nullptr, options.notices);
   if (!seconds.ok()) return fail(seconds.error());
   if (overLimit(*state)) return fail(failureOf(*state));  // a refusal: nothing is written
   const Quality quality = measure(state->mesh);
   if (const Status written = writeAll(options, *state, quality, *seconds, events, files); !written.ok())
     return fail(written.error());
   if (state->failed) return fail(failureOf(*state));
-  if (!options.quiet) {
+  if (options.notices == Notices::shown) {
     summarise(*state, quality, std::accumulate(seconds->begin(), seconds->end(), 0.0));
     for (const std::string& path : paths) say("wrote {}\n", path);
   }

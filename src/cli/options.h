@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/debug_request.h"
+#include "cli/notices.h"
 #include "core/method/method.h"
 #include "core/words/settings.h"
 #include "core/words/stage.h"
@@ -24,7 +25,7 @@ struct MeshCommand {
   std::string report;                         // empty: none
   std::string events;                         // empty: none
   bool msh2 = false;
-  bool quiet = false;
+  Notices notices = Notices::shown;
 };
 
 /// triscope check MESH
@@ -44,7 +45,7 @@ struct FigureCommand {
   int width = 1200;                           // pixels
   int height = 900;
   bool dark = false;
-  bool quiet = false;
+  Notices notices = Notices::shown;
 };
 
 /// triscope settings
@@ -60,7 +61,7 @@ struct DebugCommand {
   bool back = false;  // to the last hit before the place
   bool firstViolation = false;
   bool json = false;
-  bool quiet = false;
+  Notices notices = Notices::shown;
   std::string saveSession;  // empty: none
 };
 
@@ -72,13 +73,13 @@ struct SweepCommand {
   std::string theta;
   std::string output;    // empty: the standard output
   unsigned threads = 0;  // 0: one for each core
-  bool quiet = false;
+  Notices notices = Notices::shown;
 };
 
 /// triscope replay FILE
 struct ReplayCommand {
   std::string file;
-  bool quiet = false;
+  Notices notices = Notices::shown;
 };
 
 /// What was asked for; triscope [FILE] opens the window.

@@ -50,14 +50,14 @@ Status openOutputs(const std::vector<std::string>& paths, OutputSet& set) {
   return success();
 }
 
-Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2,
-                    OutputSet& set) {
+Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last,
+                    const MeshWriteOptions& options, OutputSet& set) {
   const bool anyMesh = std::any_of(paths.begin(), paths.end(), isMeshPath);
   const bool anyFields = std::any_of(paths.begin(), paths.end(), holdsFields);
   const MeshFile mesh = anyMesh ? exportMesh(state, anyFields ? Fields::yes : Fields::no) : MeshFile{};
   for (const std::string& path : paths) {
     if (isMeshPath(path)) {
-      if (const Status written = writeMesh(path, mesh, {.msh2 = msh2}, set); !written.ok()) return written;
+      if (const Status written = writeMesh(path, mesh, options, set); !written.ok()) return written;
       continue;
     }
     const Result<std::string> picture =

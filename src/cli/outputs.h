@@ -6,6 +6,7 @@
 
 #include "core/base/output_set.h"
 #include "core/base/result.h"
+#include "core/io/write_mesh.h"
 #include "core/method/state.h"
 #include "core/words/stage.h"
 
@@ -20,8 +21,8 @@ Status checkOutputs(const std::vector<std::string>& paths, Stage last);
 /// Opens all that these names stand for, before a long run rather than after it.
 Status openOutputs(const std::vector<std::string>& paths, OutputSet& set);
 /// Writes the mesh of the state in the format of each path.
-Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last, bool msh2,
-                    OutputSet& set);
+Status writeOutputs(const std::vector<std::string>& paths, const MeshState& state, Stage last,
+                    const MeshWriteOptions& options, OutputSet& set);
 /// The files that a name stands for: one, or those of a format of several.
 std::vector<std::string> filesOf(const std::string& path);
 

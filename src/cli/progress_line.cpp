@@ -27,9 +27,10 @@ bool isSet(const char* variable) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool wanted) {
+ProgressLine::ProgressLine(Notices notices) {
   const char* const kind = std::getenv("TERM");
-  terminal_ = wanted && isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
+  terminal_ =
+      notices == Notices::shown && isatty(STDERR_FILENO) == 1 && kind != nullptr && std::string_view(kind) != "dumb";
   color_ = !isSet("NO_COLOR");
 }
 

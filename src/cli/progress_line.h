@@ -4,13 +4,14 @@
 #include <chrono>
 #include <string>
 
+#include "cli/notices.h"
 #include "core/method/state.h"
 
 namespace triscope {
 
 class ProgressLine {
  public:
-  explicit ProgressLine(bool wanted);
+  explicit ProgressLine(Notices notices);
   ~ProgressLine() { clear(); }
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;

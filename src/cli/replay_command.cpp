@@ -21,8 +21,8 @@ Error unmet(std::string message, std::string hint, const std::string& file) {
 
 /// Tells of a session that another version saved, and of a domain file that is not what the session holds: one of them
 /// has been edited.
-void noteChanges(const SessionFile& session, bool quiet) {
-  if (quiet) return;
+void noteChanges(const SessionFile& session, Notices notices) {
+  if (notices == Notices::none) return;
   if (const std::string note = versionNote(session.madeBy); !note.empty()) say("note: the session was {}\n", note);
   const Result<std::string> text = readTextFile(session.domainFile);
   if (!text.ok())
@@ -65,9 +65,9 @@ ExitCode runCommand(const ReplayCommand& options) {
   if (!domain.ok()) return fail(domain.error());
   Result<MeshState> start = begin(std::make_shared<const Domain>(std::move(*domain)), session->settings);
   if (!start.ok()) return fail(start.error());
-  noteChanges(*session, options.quiet);
+  noteChanges(*session, options.notices);
 
-  ProgressLine progress(!options.quiet);
+  ProgressLine progress(options.notices);
   const std::vector<StageHash> now =
       stageHashes(std::move(*start), ~std::uint64_t{0}, session->hashes.size(), [&](const MeshState& state) {
         progress.show(state);

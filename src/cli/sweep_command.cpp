@@ -17,17 +17,17 @@ ExitCode runCommand(const SweepCommand& options) {
   if (!omegas.ok()) return fail(omegas.error());
   const Result<std::vector<double>> thetas = rangeFrom("theta", options.theta);
   if (!thetas.ok()) return fail(thetas.error());
-  Result<MeshState> state = beginFile(options.domain, options.settings, options.quiet);
+  Result<MeshState> state = beginFile(options.domain, options.settings, options.notices);
   if (!state.ok()) return fail(state.error());
   OutputSet files;
   if (!options.output.empty()) {
     if (const Result<AtomicFile*> file = files.open(options.output); !file.ok()) return fail(file.error());
   }
-  if (const Result<StageSeconds> done = carryOn(*state, Stage::step5, nullptr, options.quiet); !done.ok())
+  if (const Result<StageSeconds> done = carryOn(*state, Stage::step5, nullptr, options.notices); !done.ok())
     return fail(done.error());
   if (state->failed) return fail(failureOf(*state));
 
-  ProgressLine progress(!options.quiet);
+  ProgressLine progress(options.notices);
   const std::size_t pairs = omegas->size() * thetas->size();
   std::size_t done = 0;
   const auto tell = [&](std::size_t, const SweepRow&) {
@@ -44,7 +44,7 @@ ExitCode runCommand(const SweepCommand& options) {
   }
   if (const Status written = files.write(options.output, csv); !written.ok()) return fail(written.error());
   if (const Status written = files.commit(); !written.ok()) return fail(written.error());
-  if (!options.quiet) say("wrote {}\n", options.output);
+  if (options.notices == Notices::shown) say("wrote {}\n", options.output);
   return ExitCode::ok;
 }
 

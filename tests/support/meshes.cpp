@@ -85,7 +85,7 @@ Mesh boxMesh(Point lo, Point hi) {
   addTriangle(mesh, Vertex(0), Vertex(1), Vertex(2));
   addTriangle(mesh, Vertex(0), Vertex(2), Vertex(3));
   link(mesh, Half(1), Half(5));
-  for (const int half : {2, 0, 3, 4}) setConstrained(mesh, Half(half), true);
+  for (const int half : {2, 0, 3, 4}) constrain(mesh, Half(half));
   for (int side = 0; side < 4; ++side) {
     BoundaryEdge edge;
     edge.v0 = Vertex(side);

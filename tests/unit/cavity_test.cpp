@@ -59,8 +59,8 @@ void constrainSome(Mesh& mesh, Random& random, double share) {
     for (int i = 0; i < 3; ++i) {
       const Half half = halfOf(slot, i);
       if (oppositeOf(mesh, half) < half || constrained(mesh, half) || random.between(0.0, 1.0) > share) continue;
-      setConstrained(mesh, half, true);
-      setConstrained(mesh, oppositeOf(mesh, half), true);
+      constrain(mesh, half);
+      constrain(mesh, oppositeOf(mesh, half));
       addBoundaryEdge(mesh, support::boundaryEdge(startOf(mesh, half), endOf(mesh, half), 9));
     }
   }
@@ -227,8 +227,8 @@ TEST(Cavity, DoesNotReachThroughABoundaryEdge) {
     const Vertex a(4 + 2 * 5 + j), b(a.n + 1);
     const Half half = findHalfEdge(mesh, a, b);
     ASSERT_TRUE(half.exists());
-    setConstrained(mesh, half, true);
-    setConstrained(mesh, oppositeOf(mesh, half), true);
+    constrain(mesh, half);
+    constrain(mesh, oppositeOf(mesh, half));
     addBoundaryEdge(mesh, support::boundaryEdge(a, b, 4));
   }
   const Point p{1.999, 1.5};
@@ -249,8 +249,8 @@ TEST(SplitCavity, SplitsInnerAndOuterBoundaryEdges) {
     const auto& v = triangleAt(mesh, slot).v;
     if (std::ranges::min(v) < 4_v) continue;
     const Half half = halfOf(slot, 0);
-    setConstrained(mesh, half, true);
-    setConstrained(mesh, oppositeOf(mesh, half), true);
+    constrain(mesh, half);
+    constrain(mesh, oppositeOf(mesh, half));
     addBoundaryEdge(mesh, support::boundaryEdge(startOf(mesh, half), endOf(mesh, half), 4));
     break;
   }

@@ -104,8 +104,8 @@ TEST(FlipWanted, NeverForABoundaryEdge) {
   Mesh mesh = support::boxMesh({0, 0}, {1, 1});
   mesh.points[3_v].y = 0.75;
   ASSERT_TRUE(flipWanted(mesh, 1_half));
-  setConstrained(mesh, 1_half, true);
-  setConstrained(mesh, 5_half, true);
+  constrain(mesh, 1_half);
+  constrain(mesh, 5_half);
   EXPECT_FALSE(flipWanted(mesh, 1_half));
 }
 

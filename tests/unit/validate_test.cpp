@@ -24,7 +24,7 @@ Mesh square() {
   for (std::int32_t i = 0; i < 4; ++i) addTriangle(mesh, Vertex(i), Vertex((i + 1) % 4), 4_v);
   for (std::int32_t i = 0; i < 4; ++i) {
     link(mesh, halfOf(Slot(i), 0), halfOf(Slot((i + 1) % 4), 1));
-    setConstrained(mesh, halfOf(Slot(i), 2), true);
+    constrain(mesh, halfOf(Slot(i), 2));
     addBoundaryEdge(mesh, boundaryEdge(Vertex(i), Vertex((i + 1) % 4)));
   }
   return mesh;
@@ -122,7 +122,7 @@ Mesh kite(Point bottom) {
   addTriangle(mesh, 1_v, 0_v, 3_v);
   link(mesh, 2_half, 5_half);
   for (const Half half : {0_half, 1_half, 3_half, 4_half}) {
-    setConstrained(mesh, half, true);
+    constrain(mesh, half);
     addBoundaryEdge(mesh, boundaryEdge(startOf(mesh, half), endOf(mesh, half)));
   }
   return mesh;
@@ -136,15 +136,15 @@ TEST(Validate, DelaunayIsDecidedByTheLastBit) {
 
 TEST(Validate, AConstrainedEdgeNeedNotBeDelaunay) {
   Mesh mesh = kite({0, -0.5});
-  setConstrained(mesh, 2_half, true);
-  setConstrained(mesh, 5_half, true);
+  constrain(mesh, 2_half);
+  constrain(mesh, 5_half);
   addBoundaryEdge(mesh, boundaryEdge(0_v, 1_v));
   EXPECT_TRUE(validate(mesh).empty());
 }
 
 TEST(Validate, NamesAnEdgeConstrainedOnOneSide) {
   Mesh mesh = kite({0, -1.5});
-  setConstrained(mesh, 2_half, true);
+  constrain(mesh, 2_half);
   addBoundaryEdge(mesh, boundaryEdge(0_v, 1_v));
   expectOnly(mesh, Broken::link, "constrained on one side only");
 }
@@ -221,7 +221,7 @@ TEST(Validate, NamesAPointWherePartsOnlyTouch) {
   addTriangle(mesh, 0_v, 1_v, 2_v);
   addTriangle(mesh, 0_v, 3_v, 4_v);
   for (const Half half : halvesOf(mesh)) {
-    setConstrained(mesh, half, true);
+    constrain(mesh, half);
     addBoundaryEdge(mesh, boundaryEdge(startOf(mesh, half), endOf(mesh, half)));
   }
   expectOnly(mesh, Broken::vertex, "parts of the mesh meet only in this point");
@@ -234,7 +234,7 @@ TEST(Validate, NamesTwoVerticesAtOnePlace) {
   addVertex(mesh, {2, 1}, VertexKind::kept, 1);
   addTriangle(mesh, twin, 6_v, 7_v);
   for (const Half half : {12_half, 13_half, 14_half}) {
-    setConstrained(mesh, half, true);
+    constrain(mesh, half);
     addBoundaryEdge(mesh, boundaryEdge(startOf(mesh, half), endOf(mesh, half)));
   }
   expectOnly(mesh, Broken::duplicate, "vertex 5: at the same place as vertex 1");

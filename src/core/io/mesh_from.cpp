@@ -89,8 +89,8 @@ Result<Mesh> meshFrom(const MeshFile& file, std::vector<std::string>* notes) {
   std::size_t missing = 0;
   const auto makeBoundary = [&](Half half, Vertex v0, Vertex v1, std::uint32_t group) {
     if (constrained(mesh, half)) return;
-    setConstrained(mesh, half, true);
-    if (oppositeOf(mesh, half).exists()) setConstrained(mesh, oppositeOf(mesh, half), true);
+    constrain(mesh, half);
+    if (oppositeOf(mesh, half).exists()) constrain(mesh, oppositeOf(mesh, half));
     addBoundaryEdge(mesh, {.v0 = v0, .v1 = v1, .curve = group, .next0 = {}, .next1 = {}});
     for (const Vertex v : {v0, v1}) mesh.kinds[v] = VertexKind::boundary;
   };

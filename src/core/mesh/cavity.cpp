@@ -295,7 +295,7 @@ Vertex fillSplitCavity(Mesh& mesh, Cavity& cavity, EdgeId edge, double t, std::u
     TRISCOPE_CHECK(left.exists() || right.exists(),
                    "both parts of a boundary edge that was split are edges of the mesh");
     for (const Half half : {left, right}) {
-      if (half.exists()) setConstrained(mesh, half, true);
+      if (half.exists()) constrain(mesh, half);
     }
   }
   return vertex;

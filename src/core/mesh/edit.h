@@ -20,10 +20,9 @@ inline void link(Mesh& mesh, Half half, Half other) {
   mesh.triangles[triangleOf(half)].adj[cornerOf(half)] = other;
   if (other.exists()) mesh.triangles[triangleOf(other)].adj[cornerOf(other)] = half;
 }
-inline void setConstrained(Mesh& mesh, Half half, bool on) {
-  const auto bit = static_cast<std::uint8_t>(1u << cornerOf(half));
-  auto& flags = mesh.flags[triangleOf(half)];
-  flags = static_cast<std::uint8_t>(on ? flags | bit : flags & ~bit);
+/// Makes this side of an edge one that is not to be crossed or flipped.
+inline void constrain(Mesh& mesh, Half half) {
+  mesh.flags[triangleOf(half)] |= static_cast<std::uint8_t>(1u << cornerOf(half));
 }
 
 /// The half-edge from a to b, or none when the mesh has no such edge (either side is looked at; the returned one

@@ -42,10 +42,10 @@ Half flipEdge(Mesh& mesh, Half half) {
   link(mesh, halfOf(right, 0), outBc);
   link(mesh, halfOf(right, 2), outDb);
   link(mesh, halfOf(left, 1), halfOf(right, 1));
-  if (fixedAd) setConstrained(mesh, halfOf(left, 0), true);
-  if (fixedCa) setConstrained(mesh, halfOf(left, 2), true);
-  if (fixedBc) setConstrained(mesh, halfOf(right, 0), true);
-  if (fixedDb) setConstrained(mesh, halfOf(right, 2), true);
+  if (fixedAd) constrain(mesh, halfOf(left, 0));
+  if (fixedCa) constrain(mesh, halfOf(left, 2));
+  if (fixedBc) constrain(mesh, halfOf(right, 0));
+  if (fixedDb) constrain(mesh, halfOf(right, 2));
   for (const Half out : {outAd, outCa, outBc, outDb}) {
     if (out.exists()) mesh.tested[triangleOf(out)] = 0;
   }

@@ -45,7 +45,7 @@ bool removeVertex(Mesh& mesh, Vertex vertex) {
   const auto hang = [&](Half half, std::size_t k) {
     link(mesh, half, outside[k]);
     if (outside[k].exists()) mesh.tested[triangleOf(outside[k])] = 0;
-    if (walls[k] != 0) setConstrained(mesh, half, true);
+    if (walls[k] != 0) constrain(mesh, half);
   };
   while (polygon.size() > 3) {
     const std::size_t n = polygon.size();

@@ -12,9 +12,21 @@
 
 namespace triscope {
 
+// Each of the kinds below shows its parts to those who hash, or count the bytes of, any of them.
+
+/// Of a stage that needs none of these.
+struct NothingAhead {
+  template <class Visit>
+  void eachPart(const Visit& /*visit*/) const {}
+};
 /// Cells of the quadtree that are still to be looked at, the next one last.
 struct CellsAhead {
   std::vector<std::int32_t> cells;
+
+  template <class Visit>
+  void eachPart(const Visit& visit) const {
+    visit(cells);
+  }
 };
 /// The front of the density stage, in buckets by density rank: `first` of each rank is the entry to begin with, -1 for
 /// none, and each entry names the one after it. A cell may wait in two buckets; in the one whose rank is no longer its
@@ -26,10 +38,21 @@ struct RankFront {
   };
   std::vector<std::int32_t> first;
   std::vector<Entry> entries;
+
+  template <class Visit>
+  void eachPart(const Visit& visit) const {
+    visit(first);
+    visit(entries);
+  }
 };
 /// Points of the boundary in the order in which they are placed.
 struct BoundaryOrder {
   std::vector<std::int32_t> points;
+
+  template <class Visit>
+  void eachPart(const Visit& visit) const {
+    visit(points);
+  }
 };
 /// The points of a front: where each is to go, the vertex it stands at, and the vertex that came of it, none when it
 /// was refused.
@@ -37,10 +60,22 @@ struct FrontTips {
   std::vector<Point> places;
   std::vector<Vertex> owners;
   std::vector<Vertex> placed;
+
+  template <class Visit>
+  void eachPart(const Visit& visit) const {
+    visit(places);
+    visit(owners);
+    visit(placed);
+  }
 };
 /// Triangles that are still to be looked at, the next one last; for the carving, all of them in order.
 struct SlotsAhead {
   std::vector<Slot> slots;
+
+  template <class Visit>
+  void eachPart(const Visit& visit) const {
+    visit(slots);
+  }
 };
 /// What the polishing of step 6 remembers from pass to pass: triangles that were nearly poor when it began, and of this
 /// pass the vertices and the worst figures of the mesh.
@@ -48,6 +83,13 @@ struct Polishing {
   std::vector<Slot> nearPoor;
   std::vector<Vertex> vertices;
   std::optional<Worst> worst;
+
+  template <class Visit>
+  void eachPart(const Visit& visit) const {
+    visit(nearPoor);
+    visit(vertices);
+    visit(worst);
+  }
 };
 
 /// All that every stage has is plain; what each has ahead of it is its own.
@@ -57,7 +99,7 @@ struct Cursor {
   std::uint32_t phase = 0;
   std::uint64_t index = 0;
   std::uint64_t changes = 0;  // decisions of this stage that changed something
-  std::variant<std::monostate, CellsAhead, RankFront, BoundaryOrder, FrontTips, SlotsAhead, Polishing> ahead;
+  std::variant<NothingAhead, CellsAhead, RankFront, BoundaryOrder, FrontTips, SlotsAhead, Polishing> ahead;
 
   /// What is ahead, as the stage keeps it; empty the first time that it asks.
   template <class Ahead>

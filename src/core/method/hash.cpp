@@ -1,5 +1,7 @@
 // A digest of a state, to compare runs by.
+#include <optional>
 #include <variant>
+#include <vector>
 
 #include "core/base/digest.h"
 #include "core/method/state.h"
@@ -51,54 +53,36 @@ void add(Digest& digest, const ConstraintSearch& search) {
   add(digest, search.found);
 }
 
-// Two lists of numbers and one of points, whatever the stage: saved sessions hold hashes.
-constexpr std::uint64_t kEmpty = 0;
+// What a stage has ahead of it, part by part.
+struct AddPart {
+  Digest& digest;
 
-void add(Digest& digest, const std::monostate&) {
-  for (int list = 0; list < 3; ++list) digest.word(kEmpty);
-}
-
-void add(Digest& digest, const CellsAhead& ahead) {
-  digest.integers(ahead.cells);
-  digest.word(kEmpty);
-  digest.word(kEmpty);
-}
-
-void add(Digest& digest, const RankFront& front) {
-  digest.integers(front.first);
-  digest.word(2 * front.entries.size());
-  for (const RankFront::Entry& entry : front.entries) {
-    digest.word(static_cast<std::uint64_t>(entry.cell));
-    digest.word(static_cast<std::uint64_t>(entry.next));
+  void operator()(const std::vector<Point>& places) const { digest.points(places); }
+  template <class T>
+  void operator()(const std::vector<T>& list) const {
+    digest.integers(list);
   }
-  digest.word(kEmpty);
-}
+  void operator()(const std::vector<RankFront::Entry>& entries) const {
+    digest.word(entries.size());
+    for (const RankFront::Entry& entry : entries)
+      digest.word(static_cast<std::uint64_t>(entry.cell) << 32 ^ static_cast<std::uint32_t>(entry.next));
+  }
+  void operator()(const std::optional<Worst>& worst) const {
+    digest.word(worst ? 1 : 0);
+    if (worst) digest.numbers({worst->aspect, worst->areaRatio, worst->edgeRatio, worst->radius});
+  }
+};
 
-void add(Digest& digest, const BoundaryOrder& order) {
-  digest.word(kEmpty);
-  digest.integers(order.points);
-  digest.word(kEmpty);
-}
-
-void add(Digest& digest, const FrontTips& tips) {
-  digest.integers(tips.owners);
-  digest.integers(tips.placed);
-  digest.points(tips.places);
-}
-
-void add(Digest& digest, const SlotsAhead& ahead) {
-  digest.integers(ahead.slots);
-  digest.word(kEmpty);
-  digest.word(kEmpty);
-}
-
-void add(Digest& digest, const Polishing& polishing) {
-  digest.integers(polishing.nearPoor);
-  digest.integers(polishing.vertices);
-  digest.word(polishing.worst ? 2 : 0);
-  if (!polishing.worst) return;
-  digest.point({polishing.worst->aspect, polishing.worst->areaRatio});
-  digest.point({polishing.worst->edgeRatio, polishing.worst->radius});
+void add(Digest& digest, const Cursor& cursor) {
+  digest.word(static_cast<std::uint64_t>(cursor.begun) << 32 ^ static_cast<std::uint64_t>(cursor.inside) << 33 ^
+              cursor.phase);
+  digest.word(cursor.index);
+  digest.word(cursor.changes);
+  digest.word(cursor.ahead.index());
+  std::visit([&](const auto& ahead) { ahead.eachPart(AddPart{digest}); }, cursor.ahead);
+  // Three lists, all empty where a stage begins or has ended, were once what any stage had: saved sessions hold hashes.
+  digest.word(0);
+  digest.word(0);
 }
 
 }  // namespace
@@ -126,11 +110,7 @@ std::uint64_t hashOf(const MeshState& state) {
   digest.word(static_cast<std::uint64_t>(infoOf(state.stage).code) << 32 ^ state.round);
   digest.word(state.roundChanges);
   digest.word(static_cast<std::uint64_t>(state.roundsDone) << 32 ^ state.passesDone);
-  digest.word(static_cast<std::uint64_t>(state.cursor.begun) << 32 ^
-              static_cast<std::uint64_t>(state.cursor.inside) << 33 ^ state.cursor.phase);
-  digest.word(state.cursor.index);
-  digest.word(state.cursor.changes);
-  std::visit([&](const auto& ahead) { add(digest, ahead); }, state.cursor.ahead);
+  add(digest, state.cursor);
   digest.word(state.tick);
   digest.word(state.failed ? 1 : 0);
   return digest.value;

@@ -1,7 +1,9 @@
 #include "core/run/history.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <variant>
 
 #include "core/base/assert.h"
 
@@ -21,15 +23,13 @@ std::size_t bytesIn(const std::vector<T>& list) {
   return list.size() * sizeof(T);
 }
 
-std::size_t bytesIn(const std::monostate&) { return 0; }
-std::size_t bytesIn(const CellsAhead& ahead) { return bytesIn(ahead.cells); }
-std::size_t bytesIn(const RankFront& front) { return bytesIn(front.first) + bytesIn(front.entries); }
-std::size_t bytesIn(const BoundaryOrder& order) { return bytesIn(order.points); }
-std::size_t bytesIn(const FrontTips& tips) {
-  return bytesIn(tips.places) + bytesIn(tips.owners) + bytesIn(tips.placed);
+std::size_t bytesIn(const std::optional<Worst>&) { return 0; }  // in the cursor itself
+std::size_t bytesIn(const Cursor& cursor) {
+  std::size_t bytes = 0;
+  std::visit([&](const auto& ahead) { ahead.eachPart([&](const auto& part) { bytes += bytesIn(part); }); },
+             cursor.ahead);
+  return bytes;
 }
-std::size_t bytesIn(const SlotsAhead& ahead) { return bytesIn(ahead.slots); }
-std::size_t bytesIn(const Polishing& polishing) { return bytesIn(polishing.nearPoor) + bytesIn(polishing.vertices); }
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::size_t bytesOf(const MeshState& s) {
          bytesIn(m.vertexEdge) + bytesIn(m.triangles) + bytesIn(m.ids) + bytesIn(m.flags) + bytesIn(m.tested) +
          bytesIn(m.freeSlots) + bytesIn(m.edges) + bytesIn(s.constraints) + bytesIn(s.search.found) +
          bytesIn(s.tree.cells) + bytesIn(s.boundary) + bytesIn(s.front1) + bytesIn(s.front2) + bytesIn(s.frontLoops) +
-         std::visit([](const auto& ahead) { return bytesIn(ahead); }, s.cursor.ahead);
+         bytesIn(s.cursor);
 }
 
 bool hasComeTo(const MeshState& state, Stage stage) {

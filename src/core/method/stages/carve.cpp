@@ -23,8 +23,8 @@ void findOutside(MeshState& state) {
     TRISCOPE_CHECK(inside.exists() && oppositeOf(mesh, inside).exists(),
                    "after the recovery no boundary edge is missing");
     const Half across = oppositeOf(mesh, inside);
-    setConstrained(mesh, inside, true);
-    setConstrained(mesh, across, true);
+    constrain(mesh, inside);
+    constrain(mesh, across);
   }
   for (int helper = 0; helper < 4; ++helper) reach(mesh.vertexTriangle[Vertex(helper)]);
   for (const BoundaryEdge& edge : mesh.edges) {
