@@ -11,26 +11,6 @@
 
 namespace triscope {
 
-std::string_view name(TriangleFill fill) {
-  switch (fill) {
-    case TriangleFill::plain:
-      return "plain";
-    case TriangleFill::aspect:
-      return "aspect ratio R/r";
-    case TriangleFill::min_angle:
-      return "smallest angle";
-    case TriangleFill::max_angle:
-      return "largest angle";
-    case TriangleFill::area_ratio:
-      return "area ratio";
-    case TriangleFill::edge_ratio:
-      return "edge ratio";
-    case TriangleFill::density:
-      return "density rank";
-  }
-  return "";
-}
-
 std::string_view name(CellType type) {
   switch (type) {
     case CellType::outside:
@@ -152,10 +132,11 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
 }
 
 void addDegrees(const SceneInput& in, std::vector<LegendItem>& legend) {
-  if (!in.options.degrees || !isCarved(in.state.stage)) return;
   const IrregularVertices irregular = irregularVertices(in);
-  legend.push_back(mark(kFewer, in.theme.fewer, "degree 5 or less", irregular.fewer.size()));
-  legend.push_back(mark(kMore, in.theme.more, "degree 7 or more", irregular.more.size()));
+  if (!irregular.fewer.empty())
+    legend.push_back(mark(kFewer, in.theme.fewer, "vertex of few triangles", irregular.fewer.size()));
+  if (!irregular.more.empty())
+    legend.push_back(mark(kMore, in.theme.more, "vertex of many triangles", irregular.more.size()));
 }
 
 void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
@@ -164,17 +145,16 @@ void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
   if (o.fill == TriangleFill::density) legend.push_back(rankRamp(in));
   if (o.fill != TriangleFill::plain && o.fill != TriangleFill::density) {
     const MeasureScale scale = scaleOf(o.fill);
-    const bool angle = o.fill == TriangleFill::min_angle || o.fill == TriangleFill::max_angle;
     LegendItem ramp = item(Sample::ramp, std::string(name(o.fill)));
     constexpr int kSteps = 16;
     for (int i = 0; i < kSteps; ++i) {
       const double t = (i + 0.5) / kSteps;
       ramp.ramp.push_back(measureColor(o, in.theme, scale.good + t * (scale.bound - scale.good)));
     }
-    ramp.low = compact(scale.good) + (angle ? "°" : "");
-    ramp.high = compact(scale.bound) + (angle ? "°" : "");
+    ramp.low = compact(scale.good).append(scale.unit);
+    ramp.high = compact(scale.bound).append(scale.unit);
     legend.push_back(std::move(ramp));
-    legend.push_back(fillItem(in.theme.overBound, "beyond the bound"));
+    legend.push_back(fillItem(in.theme.overBound, std::string(scale.beyond)));
   }
   if (o.obtuse) {
     std::string count;

@@ -32,8 +32,8 @@ Theme lightTheme() {
   t.kept = rgb(0x10141A);
   t.placed = rgb(0x10141A);
   t.steiner = okabe::green;
-  t.fewer = okabe::blue;
-  t.more = rgb(0xB03A00);
+  t.fewer = rgb(0x8C2D8C);
+  t.more = rgb(0x6E6000);
   t.constraint = okabe::vermillion;
   t.obtuse = rgb(0xF3B27A);
   t.overBound = rgb(0xE4572E);
@@ -64,8 +64,8 @@ Theme darkTheme() {
   t.kept = rgb(0xF4F6F8);
   t.placed = rgb(0xF4F6F8);
   t.steiner = rgb(0x35C79A);
-  t.fewer = okabe::sky;
-  t.more = okabe::orange;
+  t.fewer = okabe::purple;
+  t.more = okabe::yellow;
   t.constraint = okabe::orange;
   t.obtuse = rgb(0x8A5A24);
   t.overBound = rgb(0xD1452A);
@@ -97,8 +97,8 @@ Theme highContrastTheme() {
   t.kept = rgb(0xFFFFFF);
   t.placed = rgb(0xFFFFFF);
   t.steiner = rgb(0x40E0A0);
-  t.fewer = rgb(0x66CCFF);
-  t.more = rgb(0xFFB000);
+  t.fewer = rgb(0xFF9FDF);
+  t.more = rgb(0xFFF060);
   t.constraint = rgb(0xFFB000);
   t.obtuse = rgb(0x9A5A00);
   t.overBound = rgb(0xE03020);

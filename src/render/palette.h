@@ -47,7 +47,7 @@ struct Theme {
   Color kept;    // input points and corners
   Color placed;  // boundary points placed by density or by a split
   Color steiner;
-  Color fewer;  // vertices of less than six triangles, and of more
+  Color fewer;  // vertices of fewer triangles than their angle asks for, and of more
   Color more;
   Color constraint;
   Color obtuse;     // fill of obtuse triangles

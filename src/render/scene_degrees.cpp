@@ -5,11 +5,22 @@
 #include "render/scene_shapes.h"
 
 namespace triscope::detail {
+namespace {
+
+/// Whether some corner of the box around everything still has a triangle. The stage does not tell: its carving may be
+/// over, and the next one not begun.
+bool isBoxed(const Mesh& mesh) {
+  for (const Slot slot : mesh.triangles.keys())
+    if (mesh.alive(slot) && touchesHelper(mesh, slot)) return true;
+  return false;
+}
+
+}  // namespace
 
 IrregularVertices irregularVertices(const SceneInput& in) {
   IrregularVertices found;
   const MeshState& state = in.state;
-  if (!in.options.degrees || !isCarved(state.stage) || state.mesh.triangles.empty()) return found;
+  if (!in.options.degrees || isBoxed(state.mesh)) return found;
   const Per<Vertex, std::int8_t> excess = degreeExcess(state.mesh);
   for (const Vertex v : excess.keys()) {
     if (excess[v] < 0) found.fewer.push_back(v);

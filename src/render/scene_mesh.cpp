@@ -20,36 +20,6 @@ bool isObtuse(const Mesh& mesh, const Triangle& t) {
   return dotSign(a, b, c) < 0 || dotSign(b, c, a) < 0 || dotSign(c, a, b) < 0;
 }
 
-float measureOne(const Mesh& mesh, const Triangle& t, TriangleFill fill) {
-  const TriangleQuality q = qualityOf(mesh.points[t.v[0]], mesh.points[t.v[1]], mesh.points[t.v[2]]);
-  switch (fill) {
-    case TriangleFill::aspect:
-      return static_cast<float>(q.aspect);
-    case TriangleFill::min_angle:
-      return static_cast<float>(q.minAngle);
-    case TriangleFill::max_angle:
-      return static_cast<float>(q.maxAngle);
-    case TriangleFill::edge_ratio:
-      return static_cast<float>(q.edgeRatio);
-    case TriangleFill::plain:
-    case TriangleFill::area_ratio:
-    case TriangleFill::density:
-      break;
-  }
-  return 0.0f;
-}
-
-float areaRatio(const Mesh& mesh, Slot slot) {
-  const double area = twiceArea(mesh, slot);
-  if (area <= 0.0) return 0.0f;
-  double worst = 1.0;
-  for (const Half half : triangleAt(mesh, slot).adj) {
-    const double other = !half.exists() ? 0.0 : twiceArea(mesh, triangleOf(half));
-    if (other > 0.0) worst = std::max({worst, other / area, area / other});
-  }
-  return static_cast<float>(worst);
-}
-
 /// What triangles are filled with.
 class Fills {
  public:
@@ -175,34 +145,6 @@ void addNeighbours(std::vector<std::uint32_t>& slots, const Mesh& mesh) {
 }
 
 }  // namespace
-
-MeasureScale scaleOf(TriangleFill fill) {
-  switch (fill) {
-    case TriangleFill::aspect:
-      return {2.0, Bounds::aspect};
-    case TriangleFill::min_angle:
-      return {60.0, Bounds::minAngle};
-    case TriangleFill::max_angle:
-      return {60.0, Bounds::maxAngle};
-    case TriangleFill::area_ratio:
-      return {1.0, Bounds::areaRatio};
-    case TriangleFill::edge_ratio:
-      return {1.0, Bounds::edgeRatio};
-    case TriangleFill::plain:
-    case TriangleFill::density:
-      break;
-  }
-  return {};
-}
-
-float measureSlot(const MeshState& state, Slot slot, TriangleFill fill) {
-  const Mesh& mesh = state.mesh;
-  const Triangle& t = triangleAt(mesh, slot);
-  if (fill == TriangleFill::area_ratio) return areaRatio(mesh, slot);
-  if (fill != TriangleFill::density) return measureOne(mesh, t, fill);
-  const Point sum = mesh.points[t.v[0]] + mesh.points[t.v[1]] + mesh.points[t.v[2]];
-  return static_cast<float>(wantedAt(state.tree, (1.0 / 3.0) * sum).value_or(Wanted{}).rank);
-}
 
 Color measureColor(const ViewOptions& options, const Theme& theme, double value) {
   const MeasureScale scale = scaleOf(options.fill);

@@ -81,10 +81,13 @@ LineStyle cavityCircle(const Theme& theme);
 LineStyle rimLine(const Theme& theme);
 
 /// The measure that a fill shows: its value for every slot (dead slots: 0), and the ends of its colour scale.
-/// `good` is the value of the equilateral triangle (or a uniform mesh), `bound` the paper's limit.
+/// `good` is the value of the equilateral triangle (or a uniform mesh), `bound` the paper's limit, or where what is
+/// `beyond` needs to be seen.
 struct MeasureScale {
   double good = 0.0;
   double bound = 0.0;
+  std::string_view unit{};
+  std::string_view beyond = "beyond the bound";
 };
 MeasureScale scaleOf(TriangleFill fill);
 float measureSlot(const MeshState& state, Slot slot, TriangleFill fill);

@@ -10,8 +10,8 @@
 namespace triscope {
 
 enum class CellColoring : std::uint8_t { none, rank, type };
-enum class TriangleFill : std::uint8_t { plain, aspect, min_angle, max_angle, area_ratio, edge_ratio, density };
-inline constexpr int kTriangleFillCount = static_cast<int>(TriangleFill::density) + 1;
+enum class TriangleFill : std::uint8_t { plain, aspect, min_angle, max_angle, area_ratio, edge_ratio, density, size };
+inline constexpr int kTriangleFillCount = static_cast<int>(TriangleFill::size) + 1;
 
 /// Index in the state's arrays: vertex, triangle slot (edge: its edge 0…2), quadtree cell.
 struct Selection {
@@ -44,7 +44,7 @@ struct ViewOptions {
   bool constraints = false;   // density constraints with their source
   bool fronts = true;         // ● front 1, ◆ front 2
   bool steiner = false;       // ▲ points of steps 1-5
-  bool degrees = false;       // vertices with fewer or more triangles than six
+  bool degrees = false;       // vertices with fewer or more triangles than their angle asks for
   bool triangulation = true;
   bool helpers = true;  // triangles outside the domain, before carve
   TriangleFill fill = TriangleFill::plain;

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "core/base/number.h"
-#include "core/mesh/degrees.h"
 #include "render/star.h"
 #include "sample_states.h"
 
@@ -41,31 +40,6 @@ const LegendItem* legendItem(const Scene& scene, std::string_view label) {
     if (item.label == label) return &item;
   }
   return nullptr;
-}
-
-TEST(Scene, MarksVerticesOfFewerAndOfMoreThanSixTriangles) {
-  const MeshState state = sample::after(sample::kFrame, Stage::step5);
-  ViewOptions view;
-  EXPECT_TRUE(buildScene(state, view, nullptr, nullptr).layer(LayerId::degrees).marks.empty()) << "not asked for";
-  view.degrees = true;
-  const Scene scene = buildScene(state, view, nullptr, nullptr);
-  std::size_t fewer = 0, more = 0;
-  const Per<Vertex, std::int8_t> excess = degreeExcess(state.mesh);
-  for (const Vertex v : excess.keys()) {
-    fewer += excess[v] < 0 ? 1u : 0u;
-    more += excess[v] > 0 ? 1u : 0u;
-  }
-  ASSERT_GT(fewer, 0u);
-  ASSERT_GT(more, 0u);
-  const std::vector<MarkBatch>& marks = scene.layer(LayerId::degrees).marks;
-  ASSERT_EQ(marks.size(), 2u);
-  EXPECT_EQ(marks[0].at.size(), fewer);
-  EXPECT_EQ(marks[1].at.size(), more);
-  EXPECT_NE(marks[0].shape, marks[1].shape) << "told apart without colour";
-  EXPECT_EQ(legendItem(scene, "degree 5 or less")->value, std::to_string(fewer));
-  EXPECT_EQ(legendItem(scene, "degree 7 or more")->value, std::to_string(more));
-  const MeshState boxed = sample::after(sample::kFrame, Stage::triangulation);
-  EXPECT_TRUE(buildScene(boxed, view, nullptr, nullptr).layer(LayerId::degrees).marks.empty());
 }
 
 TEST(Scene, DrawsEveryTriangleAndEveryEdgeOnce) {

@@ -82,7 +82,7 @@ class Keys(harness.WindowTest):
         state = self.window.settled()
         for layer in [k for k in state["layers"] if k not in ("fill", "side_panels")]:
             self.each(layer, lambda a, b: b["layers"][layer] != a["layers"][layer])
-        self.each("next_fill", lambda a, b: b["layers"]["fill"] == (a["layers"]["fill"] + 1) % 7)
+        self.each("next_fill", lambda a, b: b["layers"]["fill"] == (a["layers"]["fill"] + 1) % 8)
         self.each("next_theme", lambda a, b: b["theme"] != a["theme"])
         self.each("side_panels", lambda a, b: b["widgets"]["canvas"][2] > a["widgets"]["canvas"][2])
         self.each("side_panels", lambda a, b: b["widgets"]["canvas"][2] < a["widgets"]["canvas"][2])

@@ -22,12 +22,16 @@ Per<Vertex, std::int8_t> degreeExcess(const Mesh& mesh) {
           std::fabs(trig::angleBetween(pointOf(mesh, t.v[next3(i)]) - apex, pointOf(mesh, t.v[prev3(i)]) - apex));
     }
   }
+  // Half-way between two numbers either is right: of a right angle one triangle or two.
+  constexpr double kHalf = 0.5 + 1e-9;
   Per<Vertex, std::int8_t> excess(mesh.points.size(), 0);
   for (const Vertex v : mesh.points.keys()) {
     if (count[v] == 0) continue;
-    const bool inner = !mesh.vertexEdge[v].exists();
-    const int wanted = inner ? 6 : std::max(1, static_cast<int>(std::floor(angle[v] / (60.0 * trig::kDegree) + 0.5)));
-    excess[v] = static_cast<std::int8_t>(std::clamp(count[v] - wanted, -100, 100));
+    const double sixths = mesh.vertexEdge[v].exists() ? angle[v] / (60.0 * trig::kDegree) : 6.0;
+    const int fewest = std::max(1, static_cast<int>(std::ceil(sixths - kHalf)));
+    const int most = std::max(1, static_cast<int>(std::floor(sixths + kHalf)));
+    const int beyond = count[v] < fewest ? count[v] - fewest : count[v] > most ? count[v] - most : 0;
+    excess[v] = static_cast<std::int8_t>(std::clamp(beyond, -100, 100));
   }
   return excess;
 }

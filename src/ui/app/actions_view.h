@@ -117,7 +117,8 @@ inline constexpr auto kViewActions = std::to_array<ActionInfo>({
      Menu::view,
      "degrees",
      "Degrees",
-     "Marks the vertices that have fewer or more than six triangles; on a boundary, than its angle asks for.",
+     "Marks the vertices of the carved mesh that have fewer triangles than six, or more; on a boundary, than its angle "
+     "has times 60°.",
      {{{GLFW_KEY_V, 0}}},
      when::always,
      [](Parts& p) { flip(p.desk.ui.options.degrees); },

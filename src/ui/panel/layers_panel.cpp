@@ -68,7 +68,7 @@ void drawLayers(const View& view, Orders& orders) {
   actionSwitch(view, orders, Action::obtuse, "obtuse triangles");
   actionSwitch(view, orders, Action::fronts, "fronts \xE2\x97\x8F \xE2\x97\x86");
   actionSwitch(view, orders, Action::steiner, "inserted points \xE2\x96\xB2");
-  actionSwitch(view, orders, Action::degrees, "degrees other than six");
+  actionSwitch(view, orders, Action::degrees, "few \xE2\x96\xB2 and many \xE2\x96\xA0 triangles");
 
   heading(view, "Over it");
   actionSwitch(view, orders, Action::worst, "three worst circles");
