@@ -228,7 +228,7 @@ TEST(Session, MarksWithoutStoppingAndStopsWhenCancelled) {
                                  {*Condition::compile("triangle == 1 and vertex == 1"), Breakpoint::Action::stop}}});
   doNow(session, command::Restart{});
   EXPECT_EQ(doNow(session, command::Continue{}).state.tick, end);
-  EXPECT_EQ(session.notice(), "No breakpoint was met before the end of the run.");
+  EXPECT_EQ(session.notice(), "No breakpoint stopped the run before its end.");
   EXPECT_FALSE(session.hits().empty());
   session.apply(command::Continue{true});
   session.apply(command::Cancel{});

@@ -154,7 +154,7 @@ void goBackToBreakpoint(SessionWork& work) {
   const std::uint64_t now = driver.run.state.tick;
   const std::optional<Hit> hit = continueBackward(driver.run.history, now, driver.breakpoints, searchPulse(work, now));
   if (!hit)
-    return rest(work, work.interrupted() ? "The search was stopped." : "No breakpoint is met before this decision.");
+    return rest(work, work.interrupted() ? "The search was stopped." : "No breakpoint stops before this decision.");
   const Breakpoint& met = driver.breakpoints[hit->breakpoint];
   work.notice = fmt::format("Stopped at decision {}: {}", grouped(hit->tick), met.condition.text());
   if (keepHit(driver.run, *hit, met)) work.hitsChanged = true;

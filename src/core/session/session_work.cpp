@@ -42,7 +42,7 @@ std::string noticeOf(const SessionWork& work) {
     const Breakpoint& met = work.driver.breakpoints[work.driver.stopped->breakpoint];
     return fmt::format("Stopped at decision {}: {}", grouped(work.driver.stopped->tick), met.condition.text());
   }
-  std::string text = "No breakpoint was met before the end of the run.";
+  std::string text = "No breakpoint stopped the run before its end.";
   if (!work.heldFromStart.empty())
     text += fmt::format(" Where it began, {} held already: that is met when it next becomes true.", work.heldFromStart);
   return text;

@@ -40,6 +40,7 @@ Appearance readPreferences(const std::string& path) {
   Appearance look;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
+    if (line.ends_with('\r')) line.pop_back();  // edited elsewhere
     const std::size_t equals = line.find(" = ");
     if (equals != std::string::npos) set(look, line.substr(0, equals), line.substr(equals + 3));
   }
