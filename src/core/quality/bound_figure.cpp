@@ -7,10 +7,10 @@
 namespace triscope {
 
 std::string besideBound(double value, double bound, int decimals) {
-  constexpr int kMost = 9;
+  constexpr int kMostDecimals = 9;
   double unit = 1.0;
   for (int k = 0; k < decimals; ++k) unit *= 0.1;
-  while (value != bound && decimals < kMost && std::fabs(value - bound) <= 0.5 * unit) {
+  while (value != bound && decimals < kMostDecimals && std::fabs(value - bound) <= 0.5 * unit) {
     ++decimals;
     unit *= 0.1;
   }
