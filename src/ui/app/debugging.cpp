@@ -24,6 +24,7 @@ Pick pickOf(Ref ref) {
 /// Decisions that have a bookmark, or met a breakpoint that did not stop there.
 std::vector<std::uint64_t> marksOf(const Desk& desk) {
   std::vector<std::uint64_t> marks;
+  marks.reserve(desk.ui.debug.bookmarks.size() + desk.session.hits().size());
   for (const Bookmark& mark : desk.ui.debug.bookmarks) marks.push_back(mark.tick);
   for (const PassedHit& hit : desk.session.hits()) marks.push_back(hit.tick);
   return marks;
