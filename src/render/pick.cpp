@@ -11,8 +11,6 @@
 namespace triscope {
 namespace {
 
-using std::size_t;
-
 bool contains(const Mesh& mesh, Slot slot, Point p) {
   const Triangle& t = triangleAt(mesh, slot);
   const Point a = pointOf(mesh, t.v[0]);
