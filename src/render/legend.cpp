@@ -131,12 +131,11 @@ void addPoints(const SceneInput& in, std::vector<LegendItem>& legend) {
   }
 }
 
-void addDegrees(const SceneInput& in, std::vector<LegendItem>& legend) {
-  const IrregularVertices irregular = irregularVertices(in);
-  if (!irregular.fewer.empty())
-    legend.push_back(mark(kFewer, in.theme.fewer, "vertex of few triangles", irregular.fewer.size()));
-  if (!irregular.more.empty())
-    legend.push_back(mark(kMore, in.theme.more, "vertex of many triangles", irregular.more.size()));
+void addDegrees(const Layer& degrees, std::vector<LegendItem>& legend) {
+  for (const MarkBatch& batch : degrees.marks)
+    legend.push_back(mark(batch.shape, batch.fill,
+                          batch.shape == kFewer ? "vertex of few triangles" : "vertex of many triangles",
+                          batch.at.size()));
 }
 
 void addFill(const SceneInput& in, std::vector<LegendItem>& legend) {
@@ -245,14 +244,14 @@ void addDecision(const SceneInput& in, std::vector<LegendItem>& legend) {
 
 }  // namespace
 
-std::vector<LegendItem> buildLegend(const SceneInput& in, std::size_t brushed) {
+std::vector<LegendItem> buildLegend(const SceneInput& in, const Scene& scene) {
   std::vector<LegendItem> legend;
   addCells(in, legend);
   addConstraints(in, legend);
   addPoints(in, legend);
-  addDegrees(in, legend);
+  addDegrees(scene.layer(LayerId::degrees), legend);
   addFill(in, legend);
-  addBrush(in, brushed, legend);
+  addBrush(in, scene.brushed, legend);
   addWorst(in, legend);
   addDecision(in, legend);
   return legend;

@@ -82,7 +82,7 @@ void update(Scene& scene, const MeshState& state, const ViewOptions& options, co
     updateLayer(scene, in, part, part.key(in, {start.run, start.run}).value());
     layer.key = key;
   }
-  scene.legend = detail::buildLegend(in, scene.brushed);
+  scene.legend = detail::buildLegend(in, scene);
 }
 
 }  // namespace

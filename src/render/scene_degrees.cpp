@@ -17,30 +17,20 @@ bool isBoxed(const Mesh& mesh) {
 
 }  // namespace
 
-IrregularVertices irregularVertices(const SceneInput& in) {
-  IrregularVertices found;
-  const MeshState& state = in.state;
-  if (!in.options.degrees || isBoxed(state.mesh)) return found;
-  const Per<Vertex, std::int8_t> excess = degreeExcess(state.mesh);
-  for (const Vertex v : excess.keys()) {
-    if (excess[v] < 0) found.fewer.push_back(v);
-    if (excess[v] > 0) found.more.push_back(v);
-  }
-  return found;
-}
-
 void buildDegrees(const SceneInput& in, Layer& layer) {
-  const IrregularVertices irregular = irregularVertices(in);
-  const auto add = [&](const std::vector<Vertex>& vertices, Shape shape, float size, Color color) {
-    MarkBatch batch = markBatch(shape, size, color, in.theme.background);
-    for (const Vertex v : vertices) {
-      batch.at.push_back(pointOf(in.state.mesh, v));
-      batch.spacing.push_back(spacingOf(in.state, v));
-    }
-    if (!batch.at.empty()) layer.marks.push_back(std::move(batch));
-  };
-  add(irregular.fewer, kFewer, 7.0f, in.theme.fewer);
-  add(irregular.more, kMore, 7.0f, in.theme.more);
+  const Mesh& mesh = in.state.mesh;
+  if (!in.options.degrees || isBoxed(mesh)) return;
+  MarkBatch fewer = markBatch(kFewer, 7.0f, in.theme.fewer, in.theme.background);
+  MarkBatch more = markBatch(Shape::square, 7.0f, in.theme.more, in.theme.background);
+  const Per<Vertex, std::int8_t> excess = degreeExcess(mesh);
+  for (const Vertex v : excess.keys()) {
+    if (excess[v] == 0) continue;
+    MarkBatch& batch = excess[v] < 0 ? fewer : more;
+    batch.at.push_back(pointOf(mesh, v));
+    batch.spacing.push_back(spacingOf(in.state, v));
+  }
+  for (MarkBatch* batch : {&fewer, &more})
+    if (!batch->at.empty()) layer.marks.push_back(std::move(*batch));
 }
 
 }  // namespace triscope::detail

@@ -40,14 +40,8 @@ void buildPoints(const SceneInput& in, Layer& layer);
 std::vector<Vertex> frontInMesh(const Mesh& mesh, const std::vector<Vertex>& front);
 void buildFronts(const SceneInput& in, Layer& layer);
 void buildDegrees(const SceneInput& in, Layer& layer);
-/// Vertices that are marked for having fewer, or more, triangles than equilateral ones would give them.
-struct IrregularVertices {
-  std::vector<Vertex> fewer;
-  std::vector<Vertex> more;
-};
-IrregularVertices irregularVertices(const SceneInput& in);
+/// Vertices of fewer triangles than equilateral ones would give them have this mark; those of more have another.
 inline constexpr Shape kFewer = Shape::triangle;
-inline constexpr Shape kMore = Shape::square;
 /// Typical distance to the neighbours of a vertex, from the density rank where it was placed.
 float spacingOf(const MeshState& state, Vertex vertex);
 void buildConstraints(const SceneInput& in, Layer& layer);
@@ -55,7 +49,8 @@ void buildDecision(const SceneInput& in, Layer& layer);
 void buildInsertion(const SceneInput& in, Layer& layer);
 void buildWorst(const SceneInput& in, Layer& layer);
 void buildSelection(const SceneInput& in, Layer& layer);
-std::vector<LegendItem> buildLegend(const SceneInput& in, std::size_t brushed);
+/// Of a scene whose layers are up to date: what takes a look at the whole mesh is counted there.
+std::vector<LegendItem> buildLegend(const SceneInput& in, const Scene& scene);
 
 /// How a source of density is drawn: the same in the picture and in the legend.
 struct SourceStyle {
