@@ -87,11 +87,7 @@ Mesh boxMesh(Point lo, Point hi) {
   link(mesh, Half(1), Half(5));
   for (const int half : {2, 0, 3, 4}) constrain(mesh, Half(half));
   for (int side = 0; side < 4; ++side) {
-    BoundaryEdge edge;
-    edge.v0 = Vertex(side);
-    edge.v1 = Vertex((side + 1) % 4);
-    edge.curve = static_cast<std::uint32_t>(side);
-    addBoundaryEdge(mesh, edge);
+    addBoundaryEdge(mesh, boundaryEdge(Vertex(side), Vertex((side + 1) % 4), static_cast<std::uint32_t>(side)));
   }
   return mesh;
 }
@@ -143,7 +139,7 @@ std::vector<std::array<Point, 3>> trianglesByPlace(const Mesh& mesh) {
 std::vector<Slot> liveSlots(const Mesh& mesh) {
   std::vector<Slot> live;
   for (const Slot slot : mesh.triangles.keys()) {
-    if ((mesh.flags[slot] & kDead) == 0) live.push_back(slot);
+    if (mesh.alive(slot)) live.push_back(slot);
   }
   return live;
 }

@@ -4,17 +4,12 @@
 #include <algorithm>
 
 #include "core/mesh/degrees.h"
-#include "render/scene.h"
+#include "legend_item.h"
 #include "render/scene_parts.h"
 #include "sample_states.h"
 
 namespace triscope {
 namespace {
-
-const LegendItem* legendItem(const Scene& scene, std::string_view label) {
-  const auto found = std::ranges::find(scene.legend, label, &LegendItem::label);
-  return found == scene.legend.end() ? nullptr : &*found;
-}
 
 TEST(SceneSizes, ColoursTrianglesByHowFarTheirEdgesAreFromTheLengthWanted) {
   const MeshState state = sample::after(sample::kFrame, Stage::step5);

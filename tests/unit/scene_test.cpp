@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/base/number.h"
+#include "legend_item.h"
 #include "render/star.h"
 #include "sample_states.h"
 
@@ -33,13 +34,6 @@ std::array<std::uint64_t, kLayerCount> keysOf(const Scene& scene) {
   std::array<std::uint64_t, kLayerCount> keys{};
   for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = scene.layers[i].key;
   return keys;
-}
-
-const LegendItem* legendItem(const Scene& scene, std::string_view label) {
-  for (const LegendItem& item : scene.legend) {
-    if (item.label == label) return &item;
-  }
-  return nullptr;
 }
 
 TEST(Scene, DrawsEveryTriangleAndEveryEdgeOnce) {

@@ -21,12 +21,13 @@ Pick pickOf(Ref ref) {
   return pick;
 }
 
-/// Decisions that have a bookmark, or met a breakpoint that did not stop there.
+/// Decisions that have a bookmark, or met a breakpoint that did not stop there, in order.
 std::vector<std::uint64_t> marksOf(const Desk& desk) {
   std::vector<std::uint64_t> marks;
   marks.reserve(desk.ui.debug.bookmarks.size() + desk.session.hits().size());
   for (const Bookmark& mark : desk.ui.debug.bookmarks) marks.push_back(mark.tick);
   for (const PassedHit& hit : desk.session.hits()) marks.push_back(hit.tick);
+  std::ranges::sort(marks);
   return marks;
 }
 
@@ -68,19 +69,15 @@ void Debugging::toggleBookmark() {
 }
 
 void Debugging::goToMarkBefore() {
-  const std::uint64_t tick = desk_.shown->state.tick;
-  std::optional<std::uint64_t> last;
-  for (const std::uint64_t mark : marksOf(desk_))
-    if (mark < tick && (!last || mark > *last)) last = mark;
-  if (last) desk_.orders.emplace_back(command::Seek{*last});
+  const std::vector<std::uint64_t> marks = marksOf(desk_);
+  const auto here = std::ranges::lower_bound(marks, desk_.shown->state.tick);
+  if (here != marks.begin()) desk_.orders.emplace_back(command::Seek{*(here - 1)});
 }
 
 void Debugging::goToMarkAfter() {
-  const std::uint64_t tick = desk_.shown->state.tick;
-  std::optional<std::uint64_t> first;
-  for (const std::uint64_t mark : marksOf(desk_))
-    if (mark > tick && (!first || mark < *first)) first = mark;
-  if (first) desk_.orders.emplace_back(command::Seek{*first});
+  const std::vector<std::uint64_t> marks = marksOf(desk_);
+  const auto next = std::ranges::upper_bound(marks, desk_.shown->state.tick);
+  if (next != marks.end()) desk_.orders.emplace_back(command::Seek{*next});
 }
 
 void Debugging::addBreakpoint() {

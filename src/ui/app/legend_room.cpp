@@ -17,9 +17,7 @@ void LegendRoom::place(const View& view, const Layout& layout) {
   const ImVec2 needs = legendNeeds(view);
   const bool elsewhere = needs.y > 0.0f && layout.legend.size.y <= 0.0f;
   const bool folded = ui.legendPlace == LegendPlace::folded;
-  ui.legendFolded =
-      elsewhere &&
-      (folded || !legendMayCover(view, (ui.pinned ? twoPanes(layout.canvas) : onePane(layout.canvas)).live.size));
+  ui.legendFolded = elsewhere && (folded || !legendMayCover(view, panesOf(layout.canvas, ui).live.size));
   ui.legendOver = ui.legendOver && ui.legendFolded;
   ui.legendOnCanvas = elsewhere && !ui.legendFolded;
   if (needs.y > 0.0f)

@@ -52,7 +52,7 @@ double headingsAbove(Parts& parts) {
 
 void drawPicture(Parts& parts, const Region& region) {
   UiState& ui = parts.desk.ui;
-  const Panes panes = ui.pinned ? twoPanes(region) : onePane(region);
+  const Panes panes = panesOf(region, ui);
   const double width = std::max(1.0, static_cast<double>(panes.live.size.x));
   const double height = std::max(1.0, static_cast<double>(panes.live.size.y));
   if (ui.camera.width != width || ui.camera.height != height) ui.camera = resized(ui.camera, width, height);

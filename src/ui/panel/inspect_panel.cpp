@@ -67,8 +67,7 @@ void birth(const View& view, Ref ref) {
 void inspectTriangle(const View& view, Orders& orders, const MeshState& state, Slot slot) {
   const Mesh& mesh = state.mesh;
   const Triangle& t = mesh.triangles[slot];
-  const auto corner = [&](int i) { return mesh.points[t.v[i]]; };
-  const TriangleQuality q = qualityOf(corner(0), corner(1), corner(2));
+  const TriangleQuality q = qualityOf(mesh, slot);
   const Color bad = view.theme().worstAspect;
   const auto judged = [&](const char* label, const std::string& value, bool good) {
     figure(view, label, value, good ? view.theme().text : bad);

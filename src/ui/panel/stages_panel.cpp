@@ -44,7 +44,7 @@ Stage currentStage(const View& view, const MeshState& state) {
 /// What is drawn over one row: a dot, the name, the rule where it fits, the counts; below the current stage, what it
 /// does.
 void paint(const View& view, const StageInfo& info, const MeshState* state, bool current, ImVec2 at, float width) {
-  const StageCounts counts = state != nullptr ? state->counts[static_cast<std::size_t>(info.id)] : StageCounts{};
+  const StageCounts counts = state != nullptr ? state->counts[info.id] : StageCounts{};
   const bool reached = current || counts.decisions > 0 || (state != nullptr && info.id < state->stage);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float line = ImGui::GetTextLineHeight();
@@ -97,8 +97,8 @@ void row(const View& view, Orders& orders, const StageInfo& info, const MeshStat
   if (current) note(view, "current_stage");
   std::string hint = fmt::format("{}.", capitalised(does));
   if (!info.figure.empty()) hint += fmt::format(" {} of the paper.", info.figure);
-  if (state != nullptr && state->counts[static_cast<std::size_t>(info.id)].decisions > 0)
-    hint += fmt::format("\n{}", countsInWords(state->counts[static_cast<std::size_t>(info.id)]));
+  if (state != nullptr && state->counts[info.id].decisions > 0)
+    hint += fmt::format("\n{}", countsInWords(state->counts[info.id]));
   tip(view, hint + "\nClick to go to where it begins.");
   // The current stage is brought into view when it or the room has changed, and not when the list is scrolled by hand.
   ImGuiStorage& memory = *ImGui::GetStateStorage();

@@ -240,7 +240,7 @@ void pane(const View& shown, const View& live, Orders& orders, const Region& whe
 void drawCanvas(const View& view, Orders& orders) {
   const Region whole{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
   if (whole.size.x < 1.0f || whole.size.y < 1.0f) return;
-  const Panes panes = view.pinned != nullptr ? twoPanes(whole) : onePane(whole);
+  const Panes panes = panesOf(whole, view.ui);
   if (view.pinned != nullptr) {
     const PinnedRun& run = *view.pinned;
     const View a{{run.session(), view.ui}, run.scene(), view.fonts, view.debug, run.texture(), false, view.widgets};

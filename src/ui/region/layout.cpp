@@ -117,9 +117,8 @@ Layout layoutOf(ImVec2 window, float menu, float toolbar, ImVec2 legend, const U
   };
 }
 
-Panes onePane(const Region& canvas) { return {{}, canvas}; }
-
-Panes twoPanes(const Region& canvas) {
+Panes panesOf(const Region& canvas, const UiState& ui) {
+  if (!ui.pinned) return {{}, canvas};
   constexpr float kBetween = 2.0f;
   const float width = std::max(1.0f, std::floor(0.5f * (canvas.size.x - kBetween)));
   const float right = canvas.at.x + canvas.size.x - width;

@@ -37,8 +37,7 @@ struct Panes {
   Region pinned;
   Region live;
 };
-Panes onePane(const Region& canvas);
-Panes twoPanes(const Region& canvas);
+Panes panesOf(const Region& canvas, const UiState& ui);
 
 /// Begins a Dear ImGui window that fills the region; call ImGui::End() in any case.
 bool beginRegion(const char* name, const Region& region, ImVec2 padding, ImGuiWindowFlags flags = 0);
