@@ -5,17 +5,13 @@
 
 #include "core/base/number.h"
 #include "core/geometry/circumcircle.h"
+#include "core/mesh/centroid.h"
 #include "core/mesh/edit.h"
 #include "render/scene_parts.h"
 #include "render/scene_shapes.h"
 
 namespace triscope::detail {
 namespace {
-
-Point centroid(const Mesh& mesh, Slot slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
-}
 
 void addPoint(const SceneInput& in, Layer& layer, bool there) {
   const Point at = in.insertion->insertion->at;
@@ -69,7 +65,7 @@ void addWalk(const SceneInput& in, Layer& layer) {
     layer.lines.push_back(outlineOf(mesh, slot, {in.theme.selection, 1.4f, Dash::solid, false}));
   std::vector<Point> way;
   way.reserve(insertion.walk.size() + 1);
-  for (const Slot slot : insertion.walk) way.push_back(centroid(mesh, slot));
+  for (const Slot slot : insertion.walk) way.push_back(centroidOf(mesh, slot));
   const Point first = way.front();
   way.push_back(insertion.at);
   layer.lines.push_back(polyline(std::move(way), walkLine(in.theme)));

@@ -13,11 +13,6 @@ namespace triscope {
 namespace detail {
 namespace {
 
-TriangleQuality qualityOf(const Mesh& mesh, Slot slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return triscope::qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
-}
-
 double areaRatio(const MeshState& state, Slot slot) {
   const Mesh& mesh = state.mesh;
   const double area = twiceArea(mesh, slot);

@@ -31,7 +31,7 @@ double areaOf(const Mesh& mesh, Slot slot) { return 0.5 * std::fabs(twiceArea(me
 
 std::vector<Line> ofTriangle(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
-  const TriangleQuality q = qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
+  const TriangleQuality q = qualityOf(mesh, slot);
   std::vector<Line> lines{linked(fmt::format("Triangle {} joins vertices {}, {} and {} around {}.", idOf(mesh, slot),
                                              t.v[0], t.v[1], t.v[2], place(centroidOf(mesh, slot)))),
                           linked(fmt::format("Circumradius R = {:.4g}, inradius r = {:.4g}, aspect ratio R/r = {:.4g}.",

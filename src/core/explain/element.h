@@ -23,7 +23,7 @@ struct WorstMeasure {
   double value;
   double bound;
   bool upper;  // the value must be below the bound; above it otherwise
-  Slot slot;   // -1 for an empty mesh
+  Slot slot;   // none for an empty mesh
   [[nodiscard]] bool met() const { return upper ? value < bound : value > bound; }
 };
 /// Aspect ratio, area ratio, edge ratio, smallest and largest angle (degrees).

@@ -4,6 +4,7 @@
 
 #include "core/base/shown_text.h"
 #include "core/domain/loop_of.h"
+#include "core/mesh/edit.h"
 
 namespace triscope {
 namespace {
@@ -12,20 +13,13 @@ constexpr double kRounding = 1.0 - 1e-9;  // an edge meant to be as long as was 
 
 Half shortestEdgeOf(const Mesh& mesh, Slot slot) {
   Half shortest = halfOf(slot, 0);
-  for (Half half = halfOf(slot, 0); half < halfOf(slot, 3); ++half) {
+  for (const Half half : halvesOf(slot)) {
     const auto squaredLength = [&](Half h) {
       return squaredDistance(pointOf(mesh, startOf(mesh, h)), pointOf(mesh, endOf(mesh, h)));
     };
     if (squaredLength(half) < squaredLength(shortest)) shortest = half;
   }
   return shortest;
-}
-
-/// The boundary edge between two vertices, null when there is none.
-const BoundaryEdge* boundaryEdgeBetween(const Mesh& mesh, Vertex a, Vertex b) {
-  for (const BoundaryEdge& edge : mesh.edges)
-    if ((edge.v0 == a && edge.v1 == b) || (edge.v0 == b && edge.v1 == a)) return &edge;
-  return nullptr;
 }
 
 }  // namespace
@@ -36,10 +30,10 @@ std::string undercutText(const MeshState& state, const Quality& quality) {
   const Half half = shortestEdgeOf(mesh, quality.minEdgeAt);
   const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
   const Point middle = midpoint(pointOf(mesh, a), pointOf(mesh, b));
-  const BoundaryEdge* const edge = boundaryEdgeBetween(mesh, a, b);
-  const std::string why = edge != nullptr
-                              ? fmt::format("it is a piece of '{}'", shown(loopOf(*state.domain, edge->curve).name))
-                              : "it is near kept edges, a gap or a sharp corner that leave no room for longer ones";
+  const EdgeId edge = findBoundaryEdge(mesh, a, b);
+  const std::string why =
+      edge.exists() ? fmt::format("it is a piece of '{}'", shown(loopOf(*state.domain, mesh.edges[edge].curve).name))
+                    : "it is near kept edges, a gap or a sharp corner that leave no room for longer ones";
   return fmt::format("the shortest edge, {:.4g} at ({:.6g}, {:.6g}), is below the min_edge_length given, {:g}: {}",
                      quality.minEdge, middle.x, middle.y, state.minEdge, why);
 }

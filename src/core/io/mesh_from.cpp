@@ -78,7 +78,7 @@ Result<Mesh> meshFrom(const MeshFile& file, std::vector<std::string>* notes) {
     const bool clockwise = orient2d(pointOf(mesh, t[0]), pointOf(mesh, t[1]), pointOf(mesh, t[2])) < 0;
     turned += clockwise ? 1u : 0u;
     const Slot slot = addTriangle(mesh, t[0], t[clockwise ? 2 : 1], t[clockwise ? 1 : 2]);
-    for (Half half = halfOf(slot, 0); half < halfOf(slot, 3); ++half) {
+    for (const Half half : halvesOf(slot)) {
       const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
       sides.push_back({std::min(a, b), std::max(a, b), half});
     }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -16,17 +17,13 @@ namespace triscope {
 
 /// Of a stage that needs none of these.
 struct NothingAhead {
-  template <class Visit>
-  void eachPart(const Visit& /*visit*/) const {}
+  static std::tuple<> parts() { return {}; }
 };
 /// Cells of the quadtree that are still to be looked at, the next one last.
 struct CellsAhead {
   std::vector<std::int32_t> cells;
 
-  template <class Visit>
-  void eachPart(const Visit& visit) const {
-    visit(cells);
-  }
+  [[nodiscard]] auto parts() const { return std::tie(cells); }
 };
 /// The front of the density stage, in buckets by density rank: `first` of each rank is the entry to begin with, -1 for
 /// none, and each entry names the one after it. A cell may wait in two buckets; in the one whose rank is no longer its
@@ -39,20 +36,13 @@ struct RankFront {
   std::vector<std::int32_t> first;
   std::vector<Entry> entries;
 
-  template <class Visit>
-  void eachPart(const Visit& visit) const {
-    visit(first);
-    visit(entries);
-  }
+  [[nodiscard]] auto parts() const { return std::tie(first, entries); }
 };
 /// Points of the boundary in the order in which they are placed.
 struct BoundaryOrder {
   std::vector<std::int32_t> points;
 
-  template <class Visit>
-  void eachPart(const Visit& visit) const {
-    visit(points);
-  }
+  [[nodiscard]] auto parts() const { return std::tie(points); }
 };
 /// The points of a front: where each is to go, the vertex it stands at, and the vertex that came of it, none when it
 /// was refused.
@@ -61,21 +51,13 @@ struct FrontTips {
   std::vector<Vertex> owners;
   std::vector<Vertex> placed;
 
-  template <class Visit>
-  void eachPart(const Visit& visit) const {
-    visit(places);
-    visit(owners);
-    visit(placed);
-  }
+  [[nodiscard]] auto parts() const { return std::tie(places, owners, placed); }
 };
 /// Triangles that are still to be looked at, the next one last; for the carving, all of them in order.
 struct SlotsAhead {
   std::vector<Slot> slots;
 
-  template <class Visit>
-  void eachPart(const Visit& visit) const {
-    visit(slots);
-  }
+  [[nodiscard]] auto parts() const { return std::tie(slots); }
 };
 /// What the polishing of step 6 remembers from pass to pass: triangles that were nearly poor when it began, and of this
 /// pass the vertices and the worst figures of the mesh.
@@ -84,12 +66,7 @@ struct Polishing {
   std::vector<Vertex> vertices;
   std::optional<Worst> worst;
 
-  template <class Visit>
-  void eachPart(const Visit& visit) const {
-    visit(nearPoor);
-    visit(vertices);
-    visit(worst);
-  }
+  [[nodiscard]] auto parts() const { return std::tie(nearPoor, vertices, worst); }
 };
 
 /// All that every stage has is plain; what each has ahead of it is its own.

@@ -79,7 +79,9 @@ void add(Digest& digest, const Cursor& cursor) {
   digest.word(cursor.index);
   digest.word(cursor.changes);
   digest.word(cursor.ahead.index());
-  std::visit([&](const auto& ahead) { ahead.eachPart(AddPart{digest}); }, cursor.ahead);
+  std::visit([add = AddPart{digest}](
+                 const auto& ahead) { std::apply([&](const auto&... part) { (add(part), ...); }, ahead.parts()); },
+             cursor.ahead);
   // Three lists, all empty where a stage begins or has ended, were once what any stage had: saved sessions hold hashes.
   digest.word(0);
   digest.word(0);

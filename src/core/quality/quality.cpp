@@ -219,6 +219,11 @@ TriangleQuality qualityOf(Point a, Point b, Point c) {
   return q;
 }
 
+TriangleQuality qualityOf(const Mesh& mesh, Slot slot) {
+  const Triangle& t = triangleAt(mesh, slot);
+  return qualityOf(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
+}
+
 QualityInParts measureInParts(const Mesh& mesh) {
   const InsideBox inside(mesh);
   QualityInParts result;

@@ -22,6 +22,7 @@ struct TriangleQuality {
 
 /// Of a triangle in any orientation. Without area the aspect is infinite; with two equal corners the edge ratio too.
 TriangleQuality qualityOf(Point a, Point b, Point c);
+TriangleQuality qualityOf(const Mesh& mesh, Slot slot);
 
 /// The bounds of section 3: every value must lie strictly inside.
 struct Bounds {

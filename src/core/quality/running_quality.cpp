@@ -11,15 +11,12 @@ namespace {
 
 constexpr double kNone = -1e308;  // a slot without a triangle
 
-Point cornerOfSlot(const Mesh& mesh, Slot slot, std::size_t i) { return pointOf(mesh, triangleAt(mesh, slot).v[i]); }
-
 double sign(std::size_t measure) { return measure == static_cast<std::size_t>(Measure::min_angle) ? -1.0 : 1.0; }
 
 }  // namespace
 
 MeasureValues measuresOf(const Mesh& mesh, Slot slot) {
-  const TriangleQuality q =
-      qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2));
+  const TriangleQuality q = qualityOf(mesh, slot);
   double ratio = 1.0;  // of a triangle without neighbours
   const double own = std::fabs(twiceArea(mesh, slot));
   for (const Half across : triangleAt(mesh, slot).adj) {
@@ -72,8 +69,7 @@ void RunningQuality::measure(const Mesh& mesh, Slot slot) {
   }
   const MeasureValues values = measuresOf(mesh, slot);
   for (std::size_t m = 0; m < trees_.size(); ++m) set(m, slot, sign(m) * values[m]);
-  const bool obtuse =
-      qualityOf(cornerOfSlot(mesh, slot, 0), cornerOfSlot(mesh, slot, 1), cornerOfSlot(mesh, slot, 2)).obtuse;
+  const bool obtuse = qualityOf(mesh, slot).obtuse;
   state = obtuse ? 3 : 2;
   obtuse_ += obtuse ? 1 : 0;
   ++triangles_;

@@ -25,10 +25,8 @@ std::size_t bytesIn(const std::vector<T>& list) {
 
 std::size_t bytesIn(const std::optional<Worst>&) { return 0; }  // in the cursor itself
 std::size_t bytesIn(const Cursor& cursor) {
-  std::size_t bytes = 0;
-  std::visit([&](const auto& ahead) { ahead.eachPart([&](const auto& part) { bytes += bytesIn(part); }); },
-             cursor.ahead);
-  return bytes;
+  const auto sum = [](const auto&... part) { return (std::size_t{0} + ... + bytesIn(part)); };
+  return std::visit([&](const auto& ahead) { return std::apply(sum, ahead.parts()); }, cursor.ahead);
 }
 
 }  // namespace

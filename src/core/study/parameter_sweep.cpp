@@ -46,7 +46,7 @@ std::optional<SweepRow> carryOut(MeshState state, double omega, double theta, co
   state.settings.omega = omega;
   state.settings.theta = theta;
   if (!advanceUntil(state, state.method->stages.back(), cancel)) return std::nullopt;
-  const StageCounts& counts = state.counts[static_cast<std::size_t>(Stage::refine)];
+  const StageCounts& counts = state.counts[Stage::refine];
   return SweepRow{omega, theta, measure(state.mesh), counts.moved, counts.refused};
 }
 

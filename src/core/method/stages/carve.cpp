@@ -1,6 +1,7 @@
 // Stage "carve" (paper, section 3, Figure 4 b): triangles outside the domain are removed, one per decision.
 #include "core/base/assert.h"
 #include "core/domain/loop_of.h"
+#include "core/mesh/centroid.h"
 #include "core/mesh/edit.h"
 #include "core/method/stages/stage_runs.h"
 
@@ -67,8 +68,7 @@ Outcome runCarve(MeshState& state, Journal& journal) {
     Event event = eventIn(state, EventKind::triangle_removed, Rule::carve);
     event.subject = idOf(mesh, slot).n;
     event.removedCount = 1;
-    const Triangle& t = triangleAt(mesh, slot);
-    event.at = (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
+    event.at = centroidOf(mesh, slot);
     journal.record(event);
   }
   for (int i = 0; i < 3; ++i) {

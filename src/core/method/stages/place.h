@@ -19,7 +19,7 @@ struct Attempt {
   Refusal refusal = Refusal::none;
   double measured = 0.0;  // what the refusal measured, and the limit it was held against
   double limit = 0.0;
-  Half wall;           // half-edge of the boundary edge that is in the way, -1 when none
+  Half wall;           // half-edge of the boundary edge that is in the way, if any
   Vertex vertex;       // the new vertex when nothing refused it
   TriangleId firstId;  // of the new triangles
   std::uint32_t createdCount = 0;
