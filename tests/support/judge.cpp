@@ -62,6 +62,7 @@ void expectCurvesFollowed(const MeshState& state) {
   const Mesh& mesh = state.mesh;
   const Domain& domain = *state.domain;
   std::vector<BoundaryEdge> edges = mesh.edges;
+  std::erase_if(edges, [](const BoundaryEdge& edge) { return !exists(edge); });
   std::ranges::sort(edges, [](const BoundaryEdge& l, const BoundaryEdge& r) {
     return l.curve != r.curve ? l.curve < r.curve : l.t0 < r.t0;
   });

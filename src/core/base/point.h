@@ -6,6 +6,11 @@
 
 namespace triscope {
 
+template <class T>
+constexpr T squared(T x) {
+  return x * x;
+}
+
 struct Point {
   double x = 0.0;
   double y = 0.0;

@@ -51,7 +51,7 @@ void exportEdges(const MeshState& state, const Per<Vertex, int>& number, MeshFil
   for (const Loop& loop : domain.loops) file.groups.push_back(loop.name);
   std::vector<BoundaryEdge> edges;
   for (const BoundaryEdge& edge : state.mesh.edges) {
-    if (number[edge.v0] >= 0 && number[edge.v1] >= 0) edges.push_back(edge);
+    if (exists(edge) && number[edge.v0] >= 0 && number[edge.v1] >= 0) edges.push_back(edge);
   }
   std::sort(edges.begin(), edges.end(), [](const BoundaryEdge& x, const BoundaryEdge& y) {
     return std::tie(x.curve, x.t0, x.v0, x.v1) < std::tie(y.curve, y.t0, y.v0, y.v1);

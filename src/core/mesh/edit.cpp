@@ -104,6 +104,11 @@ Half findHalfEdge(const Mesh& mesh, Vertex a, Vertex b) {
   return {};
 }
 
+Half edgeBetween(const Mesh& mesh, Vertex a, Vertex b) {
+  const Half half = findHalfEdge(mesh, a, b);
+  return half.exists() ? half : findHalfEdge(mesh, b, a);
+}
+
 EdgeId addBoundaryEdge(Mesh& mesh, const BoundaryEdge& edge) {
   TRISCOPE_CHECK(edge.v0 != edge.v1, "a boundary edge has two ends");
   const EdgeId index = mesh.edges.next();

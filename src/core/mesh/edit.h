@@ -28,6 +28,8 @@ inline void constrain(Mesh& mesh, Half half) {
 /// The half-edge from a to b, or none when the mesh has no such edge (either side is looked at; the returned one
 /// runs a -> b, so at the boundary only the side in the domain is found).
 Half findHalfEdge(const Mesh& mesh, Vertex a, Vertex b);
+/// The same, or the one from b to a where the mesh has only that: one side of the edge wherever there is an edge.
+Half edgeBetween(const Mesh& mesh, Vertex a, Vertex b);
 
 /// Half-edges on the rim of the star of a vertex, counter-clockwise. `closed` is false at the boundary, where the
 /// first and last rim vertices are joined to the vertex by boundary edges.
@@ -37,7 +39,13 @@ struct Star {
 };
 void starOf(const Mesh& mesh, Vertex vertex, Star& star);
 
-/// Boundary edges: each is in the lists of both its ends.
+/// Boundary edges: each is in the lists of both its ends. One that was merged into another has no ends any more.
+inline bool exists(const BoundaryEdge& edge) { return edge.v0.exists(); }
+/// The one after `edge` in the list of its end `vertex`.
+inline EdgeId nextEdgeAt(const Mesh& mesh, EdgeId edge, Vertex vertex) {
+  const BoundaryEdge& e = mesh.edges[edge];
+  return e.v0 == vertex ? e.next0 : e.next1;
+}
 EdgeId addBoundaryEdge(Mesh& mesh, const BoundaryEdge& edge);
 EdgeId findBoundaryEdge(const Mesh& mesh, Vertex a, Vertex b);
 /// Edge (v0, v1) becomes (v0, middle); a new edge (middle, v1) takes the rest of the curve. Returns the new edge.

@@ -7,28 +7,6 @@
 #include "core/mesh/edit.h"
 
 namespace triscope {
-namespace {
-
-void save(const Mesh& mesh, Slot slot, MoveLog& log) {
-  log.saved.push_back({slot, triangleAt(mesh, slot), idOf(mesh, slot), mesh.flags[slot], mesh.tested[slot]});
-}
-
-void saveFlip(const Mesh& mesh, Half half, MoveLog& log) {
-  const Slot left = triangleOf(half);
-  const Slot right = triangleOf(oppositeOf(mesh, half));
-  for (const Slot slot : {left, right}) {
-    save(mesh, slot, log);
-    for (const Half across : triangleAt(mesh, slot).adj) {
-      if (across.exists() && triangleOf(across) != left && triangleOf(across) != right)
-        save(mesh, triangleOf(across), log);
-    }
-    for (const Vertex v : triangleAt(mesh, slot).v) log.vertices.push_back({v, mesh.vertexTriangle[v]});
-    if (std::find(log.slots.begin(), log.slots.end(), slot) == log.slots.end()) log.slots.push_back(slot);
-  }
-  ++log.flips;
-}
-
-}  // namespace
 
 bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
   Star& star = log.star;
@@ -38,23 +16,20 @@ bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
   for (const Half rim : star.rim) {
     if (orient2d(pointOf(mesh, startOf(mesh, rim)), pointOf(mesh, endOf(mesh, rim)), to) <= 0) return false;
   }
-  log.vertex = vertex;
-  log.from = pointOf(mesh, vertex);
-  log.nextId = mesh.nextId;
-  log.saved.clear();
-  log.vertices.clear();
+  beginEdits(log.edits);
+  log.before = markOf(mesh, log.edits);
   log.slots.clear();
   log.flips = 0;
   suspects.clear();
   for (const Half rim : star.rim) {
     const Slot slot = triangleOf(rim);
-    save(mesh, slot, log);
+    save(mesh, slot, log.edits);
     log.slots.push_back(slot);
     noteTouched(mesh, slot);
     suspects.push_back(rim);
     suspects.push_back(halfOf(slot, next3(cornerOf(rim))));
   }
-  mesh.points[vertex] = to;
+  movePoint(mesh, vertex, to, log.edits);
   const std::size_t most = mostFlips(mesh);
   while (!suspects.empty()) {
     const Half half = suspects.back();
@@ -64,10 +39,12 @@ bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
       undoMove(mesh, log);
       return false;
     }
-    saveFlip(mesh, half, log);
-    const Half diagonal = flipEdge(mesh, half);
+    const Half diagonal = flipEdge(mesh, half, log.edits);
+    ++log.flips;
     const Half other = oppositeOf(mesh, diagonal);
     for (const Half side : {diagonal, other}) {
+      const Slot slot = triangleOf(side);
+      if (std::find(log.slots.begin(), log.slots.end(), slot) == log.slots.end()) log.slots.push_back(slot);
       suspects.push_back(halfOf(triangleOf(side), next3(cornerOf(side))));
       suspects.push_back(halfOf(triangleOf(side), prev3(cornerOf(side))));
     }
@@ -78,7 +55,7 @@ bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
       if (!across.exists()) continue;
       const Slot neighbour = triangleOf(across);
       if (mesh.tested[neighbour] != 0) {
-        save(mesh, neighbour, log);
+        save(mesh, neighbour, log.edits);
         mesh.tested[neighbour] = 0;
       }
     }
@@ -86,18 +63,6 @@ bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
   return true;
 }
 
-void undoMove(Mesh& mesh, const MoveLog& log) {
-  for (auto saved = log.saved.rbegin(); saved != log.saved.rend(); ++saved) {
-    mesh.triangles[saved->slot] = saved->triangle;
-    mesh.ids[saved->slot] = saved->id;
-    mesh.flags[saved->slot] = saved->flags;
-    mesh.tested[saved->slot] = saved->tested;
-  }
-  for (auto saved = log.vertices.rbegin(); saved != log.vertices.rend(); ++saved) {
-    mesh.vertexTriangle[saved->vertex] = saved->triangle;
-  }
-  mesh.points[log.vertex] = log.from;
-  mesh.nextId = log.nextId;
-}
+void undoMove(Mesh& mesh, MoveLog& log) { undoEdits(mesh, log.edits, log.before); }
 
 }  // namespace triscope

@@ -222,6 +222,7 @@ class Checker {
     for (const EdgeId e : mesh_.edges.keys()) {
       if (full()) return;
       const BoundaryEdge& edge = mesh_.edges[e];
+      if (!exists(edge) && !edge.v1.exists()) continue;  // merged into another
       if (!isVertex(edge.v0) || !isVertex(edge.v1) || edge.v0 == edge.v1) {
         add(Broken::boundary, {}, {}, {},
             fmt::format("boundary edge {}: {}-{} are not two vertices", e, edge.v0, edge.v1));

@@ -78,8 +78,7 @@ Attempt splitBoundary(Mesh& mesh, const Domain& domain, const Quadtree& tree, Ed
     return attempt;
   }
   Cavity& cavity = placing.cavity;
-  Half side = findHalfEdge(mesh, old.v0, old.v1);
-  if (!side.exists()) side = findHalfEdge(mesh, old.v1, old.v0);
+  const Half side = edgeBetween(mesh, old.v0, old.v1);
   if (!side.exists() || !findSplitCavity(mesh, p, side, cavity)) {
     attempt.refusal = Refusal::inverts_triangle;
     return attempt;
