@@ -14,12 +14,14 @@
 #include "cli/stage_names.h"
 #include "core/base/version.h"
 #include "core/io/read_mesh.h"
+#include "core/words/preset.h"
 
 namespace triscope {
 namespace {
 
 /// Values of --set and of a stage's name, kept as text until the whole command line has been read.
 struct Texts {
+  std::string preset;
   std::vector<std::string> set;
   std::string stage;
   std::string cells;
@@ -28,8 +30,13 @@ struct Texts {
   std::vector<std::string> prints;
 };
 
-Status applySettings(Settings& settings, const std::vector<std::string>& assignments) {
-  for (const std::string_view assignment : assignments) {
+/// What is set by hand comes after the preset, wherever it stands on the command line.
+Status applySettings(Settings& settings, const Texts& texts) {
+  if (!texts.preset.empty()) {
+    Status status = applyPreset(settings, texts.preset);
+    if (!status.ok()) return status;
+  }
+  for (const std::string_view assignment : texts.set) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos)
       return Error{.kind = ErrorKind::usage,
@@ -93,6 +100,10 @@ void addQuiet(CLI::App& command, Notices& notices, const char* what) {
 }
 
 void addSet(CLI::App& command, Texts& texts) {
+  command
+      .add_option("--preset", texts.preset,
+                  fmt::format("Settings that go together: {}; --set then changes some", presetKeys()))
+      ->type_name("PRESET");
   command.add_option("--set", texts.set, "Change a setting; 'triscope settings' lists them")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -263,7 +274,7 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   }
 
   if (meshCommand.parsed()) {
-    if (const Status status = applySettings(mesh.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applySettings(mesh.settings, texts); !status.ok()) return complain(status.error());
     if (const Status status = applyStage(mesh.until, texts.stage); !status.ok()) return complain(status.error());
     if (mesh.outputs.empty() && mesh.report.empty() && mesh.events.empty())
       return complain(Error{.kind = ErrorKind::usage,
@@ -273,19 +284,19 @@ std::variant<Options, ExitCode> parseArguments(int argc, const char* const* argv
   }
   if (checkCommand.parsed()) return Options{check};
   if (figureCommand.parsed()) {
-    if (const Status status = applySettings(figure.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applySettings(figure.settings, texts); !status.ok()) return complain(status.error());
     if (const Status status = applyStage(figure.stage, texts.stage); !status.ok()) return complain(status.error());
     if (const Status status = applyBox(figure.box, texts.box); !status.ok()) return complain(status.error());
     if (!texts.cells.empty()) figure.cells = texts.cells == "type" ? CellColoring::type : CellColoring::rank;
     return Options{figure};
   }
   if (debugCommand.parsed()) {
-    if (const Status status = applySettings(debug.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applySettings(debug.settings, texts); !status.ok()) return complain(status.error());
     if (const Status status = applyRequests(debug, texts); !status.ok()) return complain(status.error());
     return Options{debug};
   }
   if (sweepCommand.parsed()) {
-    if (const Status status = applySettings(sweep.settings, texts.set); !status.ok()) return complain(status.error());
+    if (const Status status = applySettings(sweep.settings, texts); !status.ok()) return complain(status.error());
     return Options{sweep};
   }
   if (replayCommand.parsed()) return Options{replay};

@@ -172,6 +172,8 @@ Color stageColor(const Theme& theme, Stage stage) {
       return mix(theme.background, okabe::blue, info.shade);
     case StageGroup::refinement:
       return mix(theme.background, okabe::green, info.shade);
+    case StageGroup::optimisation:
+      return mix(theme.background, mix(okabe::green, okabe::yellow, 0.4), info.shade);
     case StageGroup::end:
       break;
   }

@@ -126,6 +126,21 @@ void addRemoval(const SceneInput& in, Layer& layer) {
   layer.marks.push_back(oneMark(was, Shape::cross, 9.0f, in.theme.removed, in.theme.background));
 }
 
+void addPatch(const SceneInput& in, Layer& layer) {
+  const Mesh& mesh = in.state.mesh;
+  const Event& event = *in.current;
+  layer.triangles.push_back(hatchedPatch(mesh, slotsCreated(mesh, event), in.theme.created));
+  const Slot slot = slotOf(mesh, TriangleId(event.subject));
+  if (slot.exists()) layer.lines.push_back(outlineOf(mesh, slot, {in.theme.candidate, 2.0f, Dash::solid, false}));
+  if (event.kind == EventKind::edit_kept) {
+    layer.marks.push_back(oneMark(event.at, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
+    return;
+  }
+  layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
+  if (in.options.labels)
+    layer.labels.push_back(labelAt(in, event.at, std::string(name(event.refusal)), in.theme.refused));
+}
+
 void addCell(const SceneInput& in, Layer& layer) {
   const Quadtree& tree = in.state.tree;
   const LineStyle strong{in.theme.candidate, 2.4f, Dash::solid, false};
@@ -200,6 +215,9 @@ void buildDecision(const SceneInput& in, Layer& layer) {
       break;
     case Picture::carved:
       mark(Shape::cross, 9.0f, in.theme.removed, in.theme.background);
+      break;
+    case Picture::patch:
+      addPatch(in, layer);
       break;
     case Picture::failure:
       mark(Shape::cross, 16.0f, in.theme.refused, in.theme.background);

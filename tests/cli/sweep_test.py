@@ -27,7 +27,7 @@ class Sweep(program.ProgramTest):
                         "edge_ratio_max", "min_angle_deg", "max_angle_deg", "obtuse"):
                 self.assertEqual(float(row[key]), report[key], key)
             self.assertEqual(row["bounds_met"], "1" if report["bounds_met"] else "0")
-            self.assertEqual(int(row["moved"]), report["stages"][-1]["moved"])
+            self.assertEqual(int(row["moved"]), next(s for s in report["stages"] if s["key"] == "refine")["moved"])
 
     def test_threads_do_not_show(self):
         outputs = {self.expect(OK, run("sweep", BLUNT_BODY, "--omega", "0.05:0.25:3", "--theta", "7.5", "-j", j)).stdout

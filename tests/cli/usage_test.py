@@ -22,7 +22,7 @@ class Help(program.ProgramTest):
             self.assertIn("Usage:", self.expect(OK, run(command, "--help")).stdout)
 
     def test_settings_lists_what_set_takes(self):
-        lines = self.expect(OK, run("settings")).stdout.splitlines()
+        lines = self.expect(OK, run("settings")).stdout.split("\n\n")[0].splitlines()
         keys = [line.split()[0] for line in lines[1:]]
         self.assertIn("omega", keys)
         self.assertIn("min_edge_length", keys)
@@ -33,6 +33,31 @@ class Help(program.ProgramTest):
         for key in keys:
             error = self.expect(USAGE, run("mesh", STEP, "-o", self.path("a.msh"), "--set", f"{key}=absurd")).stderr
             self.assertIn(f"setting '{key}'", error)
+
+
+    def test_settings_lists_the_presets_and_what_they_set(self):
+        lines = self.expect(OK, run("settings")).stdout.split("\n\n")[1].splitlines()
+        self.assertEqual([line.split()[0] for line in lines[1::2]], ["paper", "standard", "best"])
+        for preset, sets in zip(lines[1::2], lines[2::2]):
+            outputs = []
+            for arguments in (["--preset", preset.split()[0]], [a for s in sets.split() for a in ("--set", s)]):
+                outputs.append(self.path("a.su2"))
+                self.expect(OK, run("mesh", STEP, "-o", outputs[-1], *arguments))
+                outputs[-1] = open(outputs[-1], encoding="utf-8").read()
+            self.assertEqual(*outputs, preset)
+
+    def test_what_is_set_by_hand_comes_after_the_preset(self):
+        for arguments in (["--preset", "best", "--set", "optimise=off"], ["--set", "optimise=off", "--preset", "best"]):
+            report = self.path("r.json")
+            self.expect(OK, run("mesh", STEP, "-o", self.path("a.msh"), "--report", report, *arguments))
+            with open(report, encoding="utf-8") as file:
+                stages = {s["key"]: s["decisions"] for s in json.load(file)["stages"]}
+            self.assertEqual(stages["optimise"], 0)
+            self.assertGreater(stages["rows"], 0)
+
+    def test_an_unknown_preset_says_which_there_are(self):
+        error = self.expect(USAGE, run("mesh", STEP, "-o", self.path("a.msh"), "--preset", "finest")).stderr
+        self.assertIn("paper, standard, best", error)
 
 
 class Refused(program.ProgramTest):

@@ -13,9 +13,9 @@
 namespace triscope {
 namespace {
 
-using support::Placement;
 using support::Random;
 using support::Shape;
+using support::SizeAndPlace;
 
 struct Tally {
   std::size_t triangles = 0;
@@ -24,7 +24,7 @@ struct Tally {
 
 void expectPromise(std::uint64_t seed, Shape shape, Tally& tally) {
   Random random{seed};
-  const Placement placement = support::randomPlacement(random);
+  const SizeAndPlace placement = support::randomSizeAndPlace(random);
   const std::string text = support::randomDomain(random, shape, placement);
   SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
   const support::DomainPtr domain = support::domainFrom(text);

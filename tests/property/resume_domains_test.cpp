@@ -12,7 +12,7 @@ using support::Random;
 TEST(ResumeRandomDomains, CopiesEndInTheSameBytes) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Random random{seed};
-    const support::Placement placement = support::randomPlacement(random);
+    const support::SizeAndPlace placement = support::randomSizeAndPlace(random);
     const std::string text =
         support::randomDomain(random, static_cast<support::Shape>(random.below(support::kShapes)), placement);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);

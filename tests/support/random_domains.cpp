@@ -15,7 +15,7 @@ namespace {
 constexpr double kSharpest = 62.0;  // degrees
 
 struct Writer {
-  const Placement& placement;
+  const SizeAndPlace& placement;
 
   [[nodiscard]] std::string point(Point p) const {
     const Point q = placement.scale * p + placement.by;
@@ -147,7 +147,7 @@ std::string cracked(Random& random, const Writer& write) {
 
 }  // namespace
 
-std::string randomDomain(Random& random, Shape shape, const Placement& placement) {
+std::string randomDomain(Random& random, Shape shape, const SizeAndPlace& placement) {
   const Writer write{placement};
   std::string text;
   switch (shape) {
@@ -169,9 +169,9 @@ std::string randomDomain(Random& random, Shape shape, const Placement& placement
   return given ? fmt::format(R"({{"min_edge_length": {}, {}}})", minEdge, text) : "{" + text + "}";
 }
 
-Placement randomPlacement(Random& random) {
+SizeAndPlace randomSizeAndPlace(Random& random) {
   constexpr std::array scales = {1e-9, 1e-3, 1.0, 1.0, 1e3, 1e7};
-  const Placement about{scales[random.below(scales.size())], {}};
+  const SizeAndPlace about{scales[random.below(scales.size())], {}};
   if (about.scale != 1.0 || random.below(2) == 0) return about;
   return {1.0, {random.between(-4e7, 4e7), random.between(-4e7, 4e7)}};
 }

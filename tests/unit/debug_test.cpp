@@ -9,6 +9,8 @@
 #include "core/domain/read.h"
 #include "core/quality/quality.h"
 #include "core/run/breakpoint.h"
+#include "support/optimised.h"
+#include "support/runs.h"
 
 namespace triscope {
 namespace {
@@ -112,12 +114,14 @@ TEST(Breakpoint, BackwardsFindsTheLastRefusalBeforeHere) {
 
 TEST(Breakpoint, NoRuleIsBrokenInTheRunsOfTheSamples) {
   for (const std::string sample : {"annulus", "l_shape", "blunt_body", "cracked_plate"}) {
-    MeshState state = start(sample);
-    std::vector<Hit> passed;
-    const auto breakpoints = violationBreakpoints();
-    const auto hit = continueForward(state, breakpoints, passed);
-    EXPECT_FALSE(hit.has_value()) << sample << " at " << hit->tick << ": "
-                                  << breakpoints[hit->breakpoint].condition.text();
+    for (const Settings& settings : {Settings(), support::best(), support::optimised()}) {
+      MeshState state = support::start(start(sample).domain, settings);
+      std::vector<Hit> passed;
+      const auto breakpoints = violationBreakpoints();
+      const auto hit = continueForward(state, breakpoints, passed);
+      EXPECT_FALSE(hit.has_value()) << sample << " at " << hit->tick << ": "
+                                    << breakpoints[hit->breakpoint].condition.text();
+    }
   }
 }
 

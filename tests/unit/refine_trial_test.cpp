@@ -104,7 +104,7 @@ TEST_P(QuickTrial, AnswersAsTheFullOne) {
   TrialRoom room;
   Tally tally;
   for (int k = 0; k < 6; ++k) {
-    const support::Placement placement = k == 0 ? support::Placement{} : support::randomPlacement(random);
+    const support::SizeAndPlace placement = k == 0 ? support::SizeAndPlace{} : support::randomSizeAndPlace(random);
     const std::string text = support::randomDomain(random, static_cast<support::Shape>(GetParam()), placement);
     MeshState state = support::after(support::domainFrom(text), Stage::step5);
     state.cursor.of<Polishing>().worst = {.aspect = 4.0, .areaRatio = 2.8, .edgeRatio = 1.9, .radius = 0.95};

@@ -10,6 +10,9 @@
 #include "core/mesh/change_log.h"
 #include "core/method/pipeline.h"
 #include "core/quality/quality.h"
+#include "support/domains.h"
+#include "support/optimised.h"
+#include "support/runs.h"
 
 namespace triscope {
 namespace {
@@ -29,21 +32,38 @@ void expectSame(const RunningQuality& running, const Mesh& mesh, std::uint64_t t
 }
 
 TEST(RunningQuality, EqualsAFreshMeasurementAfterEveryDecision) {
-  for (const std::string sample : {"annulus", "l_shape"}) {
-    Result<Domain> domain = readDomain(std::string(TRISCOPE_SOURCE_DIR) + "/assets/domains/" + sample + ".json");
-    ASSERT_TRUE(domain.ok());
-    Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), {});
-    ASSERT_TRUE(state.ok());
-    Journal journal;
-    ChangeLog changes(state->mesh);
-    RunningQuality running;
-    running.reset(state->mesh);
-    while (advance(*state, Grain::decision, journal)) {
-      running.update(state->mesh, changes.slots());
-      changes.clear();
-      expectSame(running, state->mesh, state->tick);
-      if (HasFatalFailure()) return;
+  for (const Settings& settings : {Settings(), support::best(Dial::acute), support::optimised(Dial::acute)}) {
+    for (const std::string sample : {"annulus", "l_shape"}) {
+      Result<Domain> domain = readDomain(std::string(TRISCOPE_SOURCE_DIR) + "/assets/domains/" + sample + ".json");
+      ASSERT_TRUE(domain.ok());
+      Result<MeshState> state = begin(std::make_shared<const Domain>(std::move(*domain)), settings);
+      ASSERT_TRUE(state.ok());
+      Journal journal;
+      ChangeLog changes(state->mesh);
+      RunningQuality running;
+      running.reset(state->mesh);
+      while (advance(*state, Grain::decision, journal)) {
+        running.update(state->mesh, changes.slots());
+        changes.clear();
+        expectSame(running, state->mesh, state->tick);
+        if (HasFatalFailure()) return;
+      }
     }
+  }
+}
+
+TEST(RunningQuality, IsToldOfWhatEditsDoToInnerChainsToo) {
+  const support::DomainPtr domain = support::domainFrom(support::kCrackedFrame);
+  MeshState state = support::after(domain, Stage::refine, support::optimised(Dial::acute));
+  Journal journal;
+  ChangeLog changes(state.mesh);
+  RunningQuality running;
+  running.reset(state.mesh);
+  while (advance(state, Grain::decision, journal)) {
+    running.update(state.mesh, changes.slots());
+    changes.clear();
+    expectSame(running, state.mesh, state.tick);
+    if (HasFatalFailure()) return;
   }
 }
 

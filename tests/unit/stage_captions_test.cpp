@@ -15,6 +15,7 @@
 #include "core/base/counted.h"
 #include "core/explain/caption.h"
 #include "core/method/estimate.h"
+#include "support/optimised.h"
 #include "support/runs.h"
 
 namespace triscope {
@@ -121,6 +122,7 @@ std::vector<double> expected(Stage stage, const MeshState& before, const MeshSta
       return {static_cast<double>(after.front2.size()), triangles};
     case Stage::repair:
     case Stage::refine:
+    case Stage::optimise:
       if (changes == 0.0 && stage == Stage::repair) return {triangles};
       return {changes, triangles};
     default:
@@ -147,7 +149,7 @@ double changesIn(const std::vector<std::vector<Event>>& decisions) {
   return static_cast<double>(std::count_if(decisions.begin(), decisions.end(), [](const std::vector<Event>& made) {
     return std::any_of(made.begin(), made.end(), [](const Event& e) {
       return e.kind != EventKind::stage_begun && e.kind != EventKind::vertex_refused &&
-             e.kind != EventKind::vertex_kept;
+             e.kind != EventKind::vertex_kept && e.kind != EventKind::edit_undone;
     });
   }));
 }
@@ -176,48 +178,50 @@ Left leaveStage(MeshState& state) {
     if (state.tick > tick) left.decisions.push_back(made);
   }
   EXPECT_EQ(left.finished.stage, stage);
-  EXPECT_EQ(left.finished.round, stage == Stage::refine ? left.finished.round : round);
+  EXPECT_EQ(left.finished.round, refinesMesh(stage) || optimisesMesh(stage) ? left.finished.round : round);
   return left;
 }
 
 class StageCaptions : public testing::TestWithParam<const char*> {};
 
 TEST_P(StageCaptions, EveryNumberIsTheState) {
-  MeshState state = support::start(support::domainAt(support::samples() / GetParam()));
-  std::array<StageCounts, kStageCount> counted{};
-  while (state.stage != Stage::finished) {
-    const MeshState before = state;
-    const Left left = leaveStage(state);
-    const double changes = changesIn(left.decisions);
-    const std::string said = captionOf(left.finished, state);
-    const std::vector<double> numbers = numbersIn(said, std::string(infoOf(before.stage).name));
-    const std::vector<double> wanted = expected(before.stage, before, state, left.all, changes);
-    EXPECT_TRUE(same(numbers, wanted)) << said << "\ncounted: " << listOf(wanted);
-    EXPECT_EQ(left.finished.subject, static_cast<std::uint32_t>(changes)) << infoOf(before.stage).name;
-    // What the row of the stage says.
-    StageCounts& sum = counted[static_cast<std::size_t>(before.stage)];
-    const auto add = [&left](std::uint64_t& total, auto... kinds) {
-      total +=
-          static_cast<std::uint64_t>(countOf(left.all, [=](const Event& e) { return ((e.kind == kinds) || ...); }));
-    };
-    sum.decisions += left.decisions.size();
-    sum.inserted += state.mesh.points.size() - before.mesh.points.size();
-    if (before.stage == Stage::triangulation) sum.inserted -= 4;  // the corners of the box around everything
-    add(sum.moved, EventKind::vertex_moved);
-    add(sum.removed, EventKind::vertex_removed);
-    add(sum.refused, EventKind::vertex_refused, EventKind::vertex_kept);
-    const StageCounts& row = state.counts[before.stage];
-    EXPECT_EQ(row.decisions, sum.decisions) << infoOf(before.stage).name;
-    EXPECT_EQ(row.inserted, sum.inserted) << infoOf(before.stage).name;
-    EXPECT_EQ(row.moved, sum.moved) << infoOf(before.stage).name;
-    EXPECT_EQ(row.removed, sum.removed) << infoOf(before.stage).name;
-    EXPECT_EQ(row.refused, sum.refused) << infoOf(before.stage).name;
+  for (const Settings& settings : {Settings(), support::best(), support::optimised()}) {
+    MeshState state = support::start(support::domainAt(support::samples() / GetParam()), settings);
+    std::array<StageCounts, kStageCount> counted{};
+    while (state.stage != Stage::finished) {
+      const MeshState before = state;
+      const Left left = leaveStage(state);
+      const double changes = changesIn(left.decisions);
+      const std::string said = captionOf(left.finished, state);
+      const std::vector<double> numbers = numbersIn(said, std::string(infoOf(before.stage).name));
+      const std::vector<double> wanted = expected(before.stage, before, state, left.all, changes);
+      EXPECT_TRUE(same(numbers, wanted)) << said << "\ncounted: " << listOf(wanted);
+      EXPECT_EQ(left.finished.subject, static_cast<std::uint32_t>(changes)) << infoOf(before.stage).name;
+      // What the row of the stage says.
+      StageCounts& sum = counted[static_cast<std::size_t>(before.stage)];
+      const auto add = [&left](std::uint64_t& total, auto... kinds) {
+        total +=
+            static_cast<std::uint64_t>(countOf(left.all, [=](const Event& e) { return ((e.kind == kinds) || ...); }));
+      };
+      sum.decisions += left.decisions.size();
+      sum.inserted += state.mesh.points.size() - before.mesh.points.size();
+      if (before.stage == Stage::triangulation) sum.inserted -= 4;  // the corners of the box around everything
+      add(sum.moved, EventKind::vertex_moved);
+      add(sum.removed, EventKind::vertex_removed);
+      add(sum.refused, EventKind::vertex_refused, EventKind::vertex_kept, EventKind::edit_undone);
+      const StageCounts& row = state.counts[before.stage];
+      EXPECT_EQ(row.decisions, sum.decisions) << infoOf(before.stage).name;
+      EXPECT_EQ(row.inserted, sum.inserted) << infoOf(before.stage).name;
+      EXPECT_EQ(row.moved, sum.moved) << infoOf(before.stage).name;
+      EXPECT_EQ(row.removed, sum.removed) << infoOf(before.stage).name;
+      EXPECT_EQ(row.refused, sum.refused) << infoOf(before.stage).name;
+    }
+    const Quality quality = measure(state.mesh);
+    const std::vector<double> summary = numbersIn(summaryOf(state, quality), "Finished");
+    ASSERT_GE(summary.size(), 2u);
+    EXPECT_EQ(summary[0], static_cast<double>(state.tick));
+    EXPECT_EQ(summary[1], liveTriangles(state.mesh));
   }
-  const Quality quality = measure(state.mesh);
-  const std::vector<double> summary = numbersIn(summaryOf(state, quality), "Finished");
-  ASSERT_GE(summary.size(), 2u);
-  EXPECT_EQ(summary[0], static_cast<double>(state.tick));
-  EXPECT_EQ(summary[1], liveTriangles(state.mesh));
 }
 
 TEST(StageCaptions, OfARunOverTheLimitSaysWhatItIs) {

@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "core/base/assert.h"
+#include "core/density/continuous_size.h"
 
 namespace triscope {
 namespace {
@@ -35,8 +36,9 @@ bool holds(const Cell& cell, std::uint32_t x, std::uint32_t y) {
   return x - cell.x < side && y - cell.y < side;  // what is less wraps round to much more
 }
 
-// Leaf over the lattice square (x, y) of rank-1 side. The search begins at the smallest cell of the path that may hold
-// the square: any cell that does lies above the leaf.
+}  // namespace
+
+// The search begins at the smallest cell of the path that may hold the square: any cell that does lies above the leaf.
 std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y, LeafPath& path) {
   const std::size_t count = tree.cells.size();
   if (static_cast<std::size_t>(path.leaf) < count) {
@@ -58,8 +60,6 @@ std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y, Le
   path.y = y;
   return index;
 }
-
-}  // namespace
 
 double rankLength(int densityRank) { return kRankLengths[static_cast<std::size_t>(densityRank - 1)]; }
 
@@ -203,8 +203,12 @@ int densityRankAt(const Quadtree& tree, Point p, LeafPath& path) { return cellAt
 int densityRankAt(const Quadtree& tree, Point p) { return cellAt(tree, leafAt(tree, p)).density; }
 
 double edgeLengthAt(const Quadtree& tree, Point p, LeafPath& path) {
+  if (!tree.corners.empty()) return continuousLengthAt(tree, tree.corners, p, path);
   return edgeLengthOf(tree, densityRankAt(tree, p, path));
 }
-double edgeLengthAt(const Quadtree& tree, Point p) { return edgeLengthOf(tree, densityRankAt(tree, p)); }
+double edgeLengthAt(const Quadtree& tree, Point p) {
+  LeafPath path;
+  return edgeLengthAt(tree, p, path);
+}
 
 }  // namespace triscope

@@ -22,8 +22,12 @@ struct Cell {
   std::uint8_t visited = 0;  // by the advancing front
 };
 
+/// Edge lengths at the corners of a cell: SW, SE, NW, NE.
+using CornerLengths = std::array<float, 4>;
+
 struct Quadtree {
   std::vector<Cell> cells;  // cells[0] is the root; none before the method has begun
+  std::vector<CornerLengths> corners;  // by cell, once the edge length is made continuous; none where it goes by ranks
   Point origin;             // lower left corner of the root
   double minEdge = 1.0;     // edge length of density rank 1, see finestLength(); known before there are cells
   double minEdgeInverse = 1.0;
@@ -83,10 +87,12 @@ bool meets(const Cell& cell, const LatticeBox& box);
 /// Leaves that have one of them, in the order of the tree.
 void leavesIn(const Quadtree& tree, const LatticeBox& box, std::vector<std::int32_t>& found);
 
+/// Leaf over a square of rank-1 side, counted from the root's corner; it must lie in the root.
+std::int32_t leafOver(const Quadtree& tree, std::uint32_t x, std::uint32_t y, LeafPath& path);
 /// Leaf that holds p (points outside the root go to the nearest leaf).
 std::int32_t leafAt(const Quadtree& tree, Point p, LeafPath& path);
 std::int32_t leafAt(const Quadtree& tree, Point p);
-/// Density rank and edge length at p.
+/// Density rank at p, and edge length: that of the rank, or the continuous one where the tree has it.
 int densityRankAt(const Quadtree& tree, Point p, LeafPath& path);
 int densityRankAt(const Quadtree& tree, Point p);
 double edgeLengthAt(const Quadtree& tree, Point p, LeafPath& path);

@@ -85,7 +85,7 @@ std::string captionOf(const Event& e, const MeshState& state) {
     case Stage::finished:
       break;
     default:  // fronts, steps
-      if (refinesMesh(e.stage))
+      if (refinesMesh(e.stage) || optimisesMesh(e.stage))
         return fmt::format("{} is done: {} in it, {}.", stage, counted(e.subject, "change", "changes"), triangles);
       if (e.subject == 0) return fmt::format("{} is done: it had nothing to change; {}.", stage, triangles);
       return fmt::format("{} is done: {} inserted, {}.", stage, counted(e.subject, "point", "points"), triangles);

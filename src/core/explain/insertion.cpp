@@ -26,8 +26,7 @@ Slot startOfWalk(const Mesh& mesh, const Insertion& insertion) {
 Half halfAlong(const Mesh& mesh, EdgeId edge) {
   if (!mesh.edges.has(edge)) return {};
   const BoundaryEdge& e = mesh.edges[edge];
-  const Half half = findHalfEdge(mesh, e.v0, e.v1);
-  return half.exists() ? half : findHalfEdge(mesh, e.v1, e.v0);
+  return exists(e) ? edgeBetween(mesh, e.v0, e.v1) : Half();
 }
 
 /// Step 5 measures from the middle of the edge shared with the other triangle to the candidate's apex.
@@ -127,7 +126,8 @@ std::optional<Insertion> takeApart(const MeshState& before, const Event& event) 
   insertion.at = event.at;
   const bool split = event.kind == EventKind::edge_split;
   const bool front = wordsOf(event.rule).family == Family::front;
-  if (isStep(event.rule) || (event.rule == Rule::repair && !split))
+  const bool row = wordsOf(event.rule).family == Family::row && event.subject != kNoId;
+  if (isStep(event.rule) || row || (event.rule == Rule::repair && !split))
     insertion.candidate = slotOf(mesh, TriangleId(event.subject));
   if (front && event.other != kNoId) insertion.owner = Vertex(event.other);
   if (split && event.rule != Rule::recover_edge) insertion.splits = halfAlong(mesh, EdgeId(event.subject));

@@ -38,7 +38,9 @@ struct Insertion {
 };
 
 /// Whether a decision put a vertex into the triangulation.
-inline bool inserts(const Event& event) { return event.vertex != kNoId && does(event, kInserts); }
+inline bool inserts(const Event& event) {
+  return event.vertex != kNoId && does(event, kInserts) && wordsOf(event.rule).family != Family::edit;
+}
 
 /// `before` is the state right before the decision of `event`, which must be one that inserts(). Nothing when there is
 /// no triangulation yet.

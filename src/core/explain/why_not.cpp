@@ -25,6 +25,7 @@ struct Review {
   std::array<std::vector<Outcomes>, kRuleCount> outcomes;     // by rule
   std::array<std::optional<std::size_t>, kStageCount> ended;  // by stage: the last event that ended it, of its life
   std::array<bool, kStageCount> endedBefore{};                // by stage: it ended before the triangle was made
+  std::array<bool, kStageCount> begun{};                      // by stage
 };
 
 /// True when the proposal is for the triangle, or for one of its corners.
@@ -54,9 +55,12 @@ void add(Events events, std::size_t index, std::vector<Outcomes>& list) {
 
 Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const TriangleFacts& facts) {
   Review review;
-  const auto mayEnd = [](const Mentioned& mentioned) { return mentioned.has(EventKind::stage_finished); };
+  const auto mayEnd = [](const Mentioned& mentioned) {
+    return mentioned.has(EventKind::stage_finished) || mentioned.has(EventKind::stage_begun);
+  };
   for (std::size_t k = life.next(0, mayEnd); k < birth; k = life.next(k + 1, mayEnd)) {
     const Event& e = life.peek(k);
+    if (e.kind == EventKind::stage_begun) review.begun[static_cast<std::size_t>(e.stage)] = true;
     if (e.kind == EventKind::stage_finished) review.endedBefore[static_cast<std::size_t>(e.stage)] = true;
   }
   const auto may = [&](const Mentioned& mentioned) {
@@ -65,11 +69,18 @@ Review reviewOf(Events life, std::size_t birth, std::uint32_t triangle, const Tr
   };
   for (std::size_t k = life.next(birth, may); k < life.size(); k = life.next(k + 1, may)) {
     const Event& e = life.peek(k);
+    if (e.kind == EventKind::stage_begun) review.begun[static_cast<std::size_t>(e.stage)] = true;
     if (e.kind == EventKind::stage_finished) review.ended[static_cast<std::size_t>(e.stage)] = k;
     if (does(e, kProposes) && isFor(e, triangle, facts))
       add(life, k, review.outcomes[static_cast<std::size_t>(e.rule)]);
   }
   return review;
+}
+
+/// Whether the run passed the stage by, or may do so: one that optimises is often left out.
+bool isLeftOut(const Review& review, Stage stage) {
+  const auto* const own = review.begun.begin() + static_cast<std::ptrdiff_t>(stage);
+  return !*own && (optimisesMesh(stage) || std::find(own, review.begun.end(), true) != review.begun.end());
 }
 
 /// Of a rule that proposed nothing: that it had a look and found nothing to do, or why it had none.
@@ -100,11 +111,12 @@ std::vector<Line> whyNot(Events events, std::uint32_t triangle, const TriangleFa
   const Review review = reviewOf(life, birth.value_or(0), triangle, facts);
   for (std::size_t k = 0; k < review.outcomes.size(); ++k) {
     const RuleWords& words = wordsOf(static_cast<Rule>(k));
-    if (words.silent.empty() || (words.ofVertices && facts.corners[0] == kNoId)) continue;
+    if (words.ofVertices && facts.corners[0] == kNoId) continue;
     for (const Outcomes& outcome : review.outcomes[k]) {
       answer.say(told(events, outcome.last) +
                  (outcome.count > 1 ? fmt::format(" The last of {} times.", outcome.count) : std::string()));
     }
+    if (words.silent.empty() || isLeftOut(review, words.stage)) continue;
     if (review.outcomes[k].empty()) answer.say(silence(life, review, words, facts.death.has_value()));
   }
   if (facts.death) answer.say(ending(events, *facts.death));

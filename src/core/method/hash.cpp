@@ -67,6 +67,26 @@ struct AddPart {
     for (const RankFront::Entry& entry : entries)
       digest.word(static_cast<std::uint64_t>(entry.cell) << 32 ^ static_cast<std::uint32_t>(entry.next));
   }
+  void operator()(const std::vector<RowsAhead::Waiting>& waiting) const {
+    digest.word(waiting.size());
+    for (const RowsAhead::Waiting& one : waiting)
+      digest.word(static_cast<std::uint64_t>(one.slot.n) << 32 ^ one.triangle.word());
+  }
+  void operator()(const std::vector<CureEdit>& edits) const {
+    digest.word(edits.size());
+    for (const CureEdit& edit : edits) {
+      digest.word(static_cast<std::uint64_t>(edit.a.n) << 32 ^ edit.b.word());
+      digest.word(static_cast<std::uint64_t>(edit.kind) << 32 ^ static_cast<std::uint32_t>(edit.gain));
+    }
+  }
+  void operator()(std::uint64_t number) const { digest.word(number); }
+  void operator()(const CureProgress& cure) const {
+    digest.word(static_cast<std::uint64_t>(cure.first) << 32 ^ cure.second);
+    digest.word(static_cast<std::uint64_t>(cure.tried) << 32 ^ cure.firsts);
+    digest.word(static_cast<std::uint64_t>(cure.bestFirst) << 32 ^ cure.bestSecond);
+    digest.word(static_cast<std::uint64_t>(cure.any) << 32 ^ cure.patient.word());
+    digest.numbers({cure.before, cure.best});
+  }
   void operator()(const std::optional<Worst>& worst) const {
     digest.word(worst ? 1 : 0);
     if (worst) digest.numbers({worst->aspect, worst->areaRatio, worst->edgeRatio, worst->radius});
@@ -106,6 +126,7 @@ std::uint64_t hashOf(const MeshState& state) {
     digest.word(static_cast<std::uint64_t>(p.curve) << 32 ^ p.vertex.word());
   }
   add(digest, state.mesh);
+  if (!state.sizes.empty()) digest.numbers(state.sizes);
   digest.integers(state.front1);
   digest.integers(state.front2);
   digest.integers(state.frontLoops);

@@ -13,6 +13,11 @@ namespace triscope {
 namespace {
 
 bool roundInserted(const MeshState& state) { return state.roundChanges > 0; }
+bool placesBySteps(const Settings& settings) { return !placesByFront(settings.placement); }
+// Rows that are optimised need no rounds: no bound of section 3 is as close as what the optimiser aims at.
+bool goesRound(const Settings& settings) { return placesBySteps(settings) || !settings.optimise; }
+bool placesInRows(const Settings& settings) { return placesByFront(settings.placement); }
+bool optimises(const Settings& settings) { return settings.optimise; }
 bool stageChanged(const MeshState& state) { return state.cursor.changes > 0; }
 
 /// In the order of Stage.
@@ -96,7 +101,8 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .rule = "off the boundary",
      .figure = "Figure 4 (c)",
      .shade = 0.7,
-     .runOne = runFront1},
+     .runOne = runFront1,
+     .wanted = placesBySteps},
     {.id = Stage::front2,
      .code = 8,
      .group = StageGroup::fronts,
@@ -106,7 +112,18 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .rule = "off the first",
      .figure = "Figure 4 (c)",
      .shade = 1.0,
-     .runOne = runFront2},
+     .runOne = runFront2,
+     .wanted = placesBySteps},
+    {.id = Stage::rows,
+     .code = 17,
+     .group = StageGroup::fronts,
+     .name = "rows",
+     .key = "rows",
+     .does = "places rows of points from the boundary inwards, in place of the two fronts and step 1",
+     .rule = "row by row",
+     .shade = 0.85,
+     .runOne = runRows,
+     .wanted = placesInRows},
     {.id = Stage::step1,
      .code = 9,
      .group = StageGroup::filling,
@@ -116,7 +133,8 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .rule = "R ≥ h(c)",
      .figure = "Figure 4 (d)",
      .shade = 0.5,
-     .runOne = runSteps},
+     .runOne = runSteps,
+     .wanted = placesBySteps},
     {.id = Stage::step2,
      .code = 10,
      .group = StageGroup::rounds,
@@ -125,7 +143,8 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .does = "inserts circumcentres where R is not below the least edge length at the apexes",
      .rule = "R ≥ min h",
      .shade = 0.62,
-     .runOne = runSteps},
+     .runOne = runSteps,
+     .wanted = goesRound},
     {.id = Stage::step3,
      .code = 11,
      .group = StageGroup::rounds,
@@ -134,7 +153,8 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .does = "inserts circumcentres where R is not below the shortest edge: angles and edge ratio",
      .rule = "R ≥ e",
      .shade = 0.74,
-     .runOne = runSteps},
+     .runOne = runSteps,
+     .wanted = goesRound},
     {.id = Stage::step4,
      .code = 12,
      .group = StageGroup::rounds,
@@ -143,7 +163,8 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .does = "inserts circumcentres where R is not below a neighbour's shortest edge: area ratio",
      .rule = "R ≥ e of a neighbour",
      .shade = 0.86,
-     .runOne = runSteps},
+     .runOne = runSteps,
+     .wanted = goesRound},
     {.id = Stage::step5,
      .code = 13,
      .group = StageGroup::rounds,
@@ -154,6 +175,7 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .figure = "Figure 4 (e)",
      .shade = 1.0,
      .runOne = runSteps,
+     .wanted = goesRound,
      .callsForRound = roundInserted},
     {.id = Stage::repair,
      .code = 14,
@@ -164,6 +186,7 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .rule = "what is still broken",
      .shade = 0.85,
      .runOne = runRepair,
+     .wanted = goesRound,
      .callsForRound = stageChanged},
     {.id = Stage::refine,
      .code = 15,
@@ -176,6 +199,16 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .shade = 0.9,
      .runOne = runRefine,
      .wanted = refines},
+    {.id = Stage::optimise,
+     .code = 18,
+     .group = StageGroup::optimisation,
+     .name = "optimise",
+     .key = "optimise",
+     .does = "moves, flips, merges and splits until no angle or ratio is beyond what the dial asks for",
+     .rule = "beyond the dial",
+     .shade = 0.9,
+     .runOne = runOptimise,
+     .wanted = optimises},
     {.id = Stage::finished,
      .code = 16,
      .group = StageGroup::end,
@@ -207,6 +240,7 @@ constexpr std::array kGroups{
     GroupWords{StageGroup::fronts, "fronts", "", ""},
     GroupWords{StageGroup::rounds, "rounds", "round", "steps 2 to 5"},
     GroupWords{StageGroup::refinement, "", "pass", ""},
+    GroupWords{StageGroup::optimisation, "", "pass", ""},
 };
 
 constexpr GroupWords wordsOf(StageGroup group) {
@@ -218,16 +252,25 @@ std::string turnOf(const GroupWords& group, int turn) {
   return group.turn.empty() || turn == 0 ? std::string() : fmt::format("{} {}", group.turn, turn);
 }
 
-/// Whether a stage is run at all is decided when one that always is ends before it.
-Stage decidedAfter(Stage stage) {
+bool isRun(const StageInfo& info, const Settings& settings) { return info.wanted == nullptr || info.wanted(settings); }
+
+/// Whether a stage is run at all is decided when the last before it that is run with either settings ends.
+Stage decidedAfter(Stage stage, const Settings& a, const Settings& b) {
   auto k = static_cast<std::size_t>(stage);
-  while (k > 0 && kStages[k].wanted != nullptr) --k;
+  while (k > 0 && !(isRun(kStages[k], a) && isRun(kStages[k], b))) --k;
   return kStages[k].id;
 }
 
 }  // namespace
 
 std::span<const StageInfo> stages() { return kStages; }
+
+double shortestMeant(const MeshState& state) {
+  const Settings& settings = state.settings;
+  const bool optimised = settings.optimise && state.stage >= Stage::optimise;
+  const bool byRatio = optimised || settings.size == SizeField::continuous || placesByFront(settings.placement);
+  return byRatio ? 0.5 * state.minEdge : state.minEdge;
+}
 
 const Method& paperMethod() { return kPaperMethod; }
 
@@ -253,7 +296,7 @@ Stage firstAffected(const Settings& a, const Settings& b) {
   for (const SettingInfo& info : settingTable())
     if (settingValue(a, info) != settingValue(b, info)) first = std::min(first, info.firstStage);
   for (const StageInfo& info : kStages)
-    if (info.wanted != nullptr && info.wanted(a) != info.wanted(b)) first = std::min(first, decidedAfter(info.id));
+    if (isRun(info, a) != isRun(info, b)) first = std::min(first, decidedAfter(info.id, a, b));
   return first;
 }
 

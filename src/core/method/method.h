@@ -24,12 +24,13 @@ enum class Outcome : std::uint8_t {
 
 /// The parts of a method, in the order that they follow one another.
 enum class StageGroup : std::uint8_t {
-  density,     // comes before the first triangle
-  boundary,    // joins the boundary's points, until nothing outside the domain is left
-  fronts,      // the points off the boundary
-  filling,     // step 1, once
-  rounds,      // come again, all of them, until nothing is left to insert
-  refinement,  // what steps 1-5 promise holds, and points are moved
+  density,       // comes before the first triangle
+  boundary,      // joins the boundary's points, until nothing outside the domain is left
+  fronts,        // the points off the boundary
+  filling,       // step 1, once
+  rounds,        // come again, all of them, until nothing is left to insert
+  refinement,    // what steps 1-5 promise holds, and points are moved
+  optimisation,  // so it is, and edges are edited too
   end,
 };
 
@@ -70,6 +71,9 @@ inline bool inRounds(Stage stage) { return infoOf(stage).group == StageGroup::ro
 inline bool isPastRounds(Stage stage) { return infoOf(stage).group > StageGroup::rounds; }
 /// Whether a stage moves points, in passes over the mesh.
 inline bool refinesMesh(Stage stage) { return infoOf(stage).group == StageGroup::refinement; }
+
+/// Whether a stage optimises: it moves points in passes, and edits edges too.
+inline bool optimisesMesh(Stage stage) { return infoOf(stage).group == StageGroup::optimisation; }
 
 /// What several stages are called together on the command line: "fronts", "rounds". Empty where they have no name.
 std::string_view groupKey(StageGroup group);

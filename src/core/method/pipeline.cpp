@@ -55,7 +55,7 @@ void leaveStage(MeshState& state, Journal& journal) {
   recordStage(state, EventKind::stage_finished, state.cursor.changes, journal);
   if (refinesMesh(state.stage))
     state.passesDone += state.round;
-  else
+  else if (inRounds(state.stage))
     state.roundsDone = state.round;
   state.stage = after(state);
   state.cursor = {};

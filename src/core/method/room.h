@@ -12,6 +12,7 @@
 #include "core/mesh/patch.h"
 #include "core/mesh/trial.h"
 #include "core/mesh/wheel.h"
+#include "core/optimise/workpiece.h"
 
 namespace triscope {
 
@@ -36,6 +37,7 @@ struct Room {
   TrialRoom moves;
   Patch patch;  // what repair tries its edits on
   Trial trial;
+  OptimiserRoom optimiser;
 
   Room() = default;
   Room(const Room&) {}

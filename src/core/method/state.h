@@ -49,6 +49,7 @@ struct MeshState {
   double estimatedTriangles = 0.0;  // Table 1, known after the density stage
   std::vector<BoundaryPoint> boundary;
   Mesh mesh;
+  Per<Vertex, double> sizes;   // edge length in force at each vertex, while rows are placed or the mesh is optimised
   std::vector<Vertex> front1;  // vertices, in the order placed
   std::vector<Vertex> front2;
   std::vector<Vertex> frontLoops;    // the first front as closed loops, each ended by none
@@ -63,6 +64,10 @@ struct MeshState {
   bool failed = false;  // the method could not go on; the state stays to be looked at
   Room room;
 };
+
+/// No edge is meant to be shorter: Δx, or half of it once the mesh is held to the lengths that are wanted by ratio, which
+/// rows of points, continuous lengths and the optimiser do.
+double shortestMeant(const MeshState& state);
 
 /// 64-bit digest of everything above except the domain, the method, the counts and the room.
 std::uint64_t hashOf(const MeshState& state);

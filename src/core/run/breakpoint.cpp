@@ -7,7 +7,7 @@
 namespace triscope {
 
 Watch::Watch(const MeshState& state, std::uint64_t events, std::span<const Breakpoint> breakpoints)
-    : shortest_(shortestAllowed(state)), before_(events), held_(breakpoints.size(), 0) {
+    : shortestInput_(shortestInput(state)), before_(events), held_(breakpoints.size(), 0) {
   quality_.reset(state.mesh);
   const Event none;
   const Moment moment{state, none, quality_, 0, 0};
@@ -35,7 +35,7 @@ bool Watch::step(MeshState& state, std::span<const Breakpoint> breakpoints, std:
   if (!more || events_.empty()) return false;
   quality_.update(state.mesh, changes.slots());
   sinceInsertion_ = state.mesh.points.size() > points ? 0 : sinceInsertion_ + 1;
-  const std::uint8_t broken = brokenRules(state, changes.slots(), events_, shortest_);
+  const std::uint8_t broken = brokenRules(state, changes.slots(), events_, shortestInput_);
   for (std::size_t k = 0; k < breakpoints.size(); ++k) {
     if (!breakpoints[k].enabled) continue;
     const Condition& condition = breakpoints[k].condition;

@@ -51,7 +51,7 @@ class Watch {
   [[nodiscard]] std::optional<std::size_t> heldFromStart() const { return heldFromStart_; }
 
  private:
-  double shortest_;  // shortestAllowed()
+  double shortestInput_;
   RunningQuality quality_;
   std::vector<Event> events_;
   std::uint64_t before_ = 0;        // events of the run before events_

@@ -23,7 +23,10 @@ std::size_t bytesIn(const std::vector<T>& list) {
   return list.size() * sizeof(T);
 }
 
-std::size_t bytesIn(const std::optional<Worst>&) { return 0; }  // in the cursor itself
+// In the cursor itself.
+std::size_t bytesIn(const std::optional<Worst>&) { return 0; }
+std::size_t bytesIn(const CureProgress&) { return 0; }
+std::size_t bytesIn(std::uint64_t) { return 0; }
 std::size_t bytesIn(const Cursor& cursor) {
   const auto sum = [](const auto&... part) { return (std::size_t{0} + ... + bytesIn(part)); };
   return std::visit([&](const auto& ahead) { return std::apply(sum, ahead.parts()); }, cursor.ahead);
@@ -36,8 +39,8 @@ std::size_t bytesOf(const MeshState& s) {
   return sizeof(MeshState) + bytesIn(m.points) + bytesIn(m.kinds) + bytesIn(m.density) + bytesIn(m.vertexTriangle) +
          bytesIn(m.vertexEdge) + bytesIn(m.triangles) + bytesIn(m.ids) + bytesIn(m.flags) + bytesIn(m.tested) +
          bytesIn(m.freeSlots) + bytesIn(m.edges) + bytesIn(s.constraints) + bytesIn(s.search.found) +
-         bytesIn(s.tree.cells) + bytesIn(s.boundary) + bytesIn(s.front1) + bytesIn(s.front2) + bytesIn(s.frontLoops) +
-         bytesIn(s.cursor);
+         bytesIn(s.tree.cells) + bytesIn(s.tree.corners) + bytesIn(s.sizes) + bytesIn(s.boundary) + bytesIn(s.front1) +
+         bytesIn(s.front2) + bytesIn(s.frontLoops) + bytesIn(s.cursor);
 }
 
 bool hasComeTo(const MeshState& state, Stage stage) {

@@ -22,7 +22,8 @@ std::uint8_t brokenIn(const MeshState& state, Slot slot, double squaredShortest)
   if (orient2d(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2])) <= 0) broken |= kOrientation;
   for (int i = 0; i < 3; ++i) {
     const Half half = halfOf(slot, i);
-    if (flipWanted(mesh, half)) broken |= kDelaunay;
+    // The optimiser restores it between its passes.
+    if (!optimisesMesh(state.stage) && flipWanted(mesh, half)) broken |= kDelaunay;
     // Edges between points that the input fixes are as long as the input makes them.
     const Vertex a = startOf(mesh, half), b = endOf(mesh, half);
     const bool fixed = mesh.kinds[a] <= VertexKind::kept && mesh.kinds[b] <= VertexKind::kept;
@@ -30,8 +31,7 @@ std::uint8_t brokenIn(const MeshState& state, Slot slot, double squaredShortest)
     if (state.stage <= Stage::recovery) continue;
     for (EdgeId e = mesh.vertexEdge[a]; e.exists();) {
       const BoundaryEdge& edge = mesh.edges[e];
-      if (!findHalfEdge(mesh, edge.v0, edge.v1).exists() && !findHalfEdge(mesh, edge.v1, edge.v0).exists())
-        broken |= kBoundary;
+      if (!edgeBetween(mesh, edge.v0, edge.v1).exists()) broken |= kBoundary;
       e = edge.v0 == a ? edge.next0 : edge.next1;
     }
   }
@@ -55,7 +55,7 @@ bool fillsTheDomain(const MeshState& state) {
   const Point origin = state.tree.origin;
   double inside = 0.0, filled = 0.0;
   for (const BoundaryEdge& edge : mesh.edges)
-    if (loopOf(*state.domain, edge.curve).role != LoopRole::chain)
+    if (exists(edge) && loopOf(*state.domain, edge.curve).role != LoopRole::chain)
       inside += cross(pointOf(mesh, edge.v0) - origin, pointOf(mesh, edge.v1) - origin);
   for (const Slot slot : mesh.triangles.keys())
     if (mesh.alive(slot)) filled += twiceArea(mesh, slot);
@@ -64,12 +64,15 @@ bool fillsTheDomain(const MeshState& state) {
 
 }  // namespace
 
-double shortestAllowed(const MeshState& state) { return std::min(state.minEdge, shortestLine(*state.domain).length); }
+double shortestInput(const MeshState& state) { return shortestLine(*state.domain).length; }
 
 std::uint8_t brokenRules(const MeshState& state, std::span<const Slot> changed, std::span<const Event> events,
-                         double shortest) {
+                         double shortestInput) {
+  const double shortest = std::min(shortestMeant(state), shortestInput);
   // Before the carving edges may run outside the domain, across a thin part of it.
-  const double squaredShortest = isCarved(state.stage) ? shortest * shortest * (1.0 - 1e-9) : 0.0;
+  // The optimiser holds edges to the lengths that are wanted where they are, not to Δx.
+  const bool bound = isCarved(state.stage) && !optimisesMesh(state.stage);
+  const double squaredShortest = bound ? shortest * shortest * (1.0 - 1e-9) : 0.0;
   std::uint8_t broken = 0;
   for (const Slot slot : changed)
     if (state.mesh.alive(slot)) broken |= brokenIn(state, slot, squaredShortest);

@@ -19,12 +19,12 @@ enum Validity : std::uint8_t {
   kArea = 32,          // the triangles do not fill what the boundary encloses
 };
 
-/// No edge may be shorter than this: Δx, or the shortest straight piece of the input.
-double shortestAllowed(const MeshState& state);
+/// The shortest straight piece of the input, which edges may be as short as.
+double shortestInput(const MeshState& state);
 
 /// Bits of the rules broken after a decision that changed these slots and made these events. Balance and area are
 /// looked at where a stage ends.
 std::uint8_t brokenRules(const MeshState& state, std::span<const Slot> changed, std::span<const Event> events,
-                         double shortest);
+                         double shortestInput);
 
 }  // namespace triscope

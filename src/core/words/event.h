@@ -27,8 +27,11 @@ enum class EventKind : std::uint8_t {
   vertex_kept,     // vertex; from: where it stays; at: where it would have gone; refusal: why
   stage_finished,  // subject: decisions made in it that changed something
   failure,         // the method cannot go on; at: where
+  edit_kept,       // subject: triangle id that it was for; vertex: that it was for; at: where; the events before it in
+                   // the same decision say which vertices it moved, made or removed
+  edit_undone,     // the same, but nothing is changed; refusal: why
 };
-inline constexpr int kEventKindCount = static_cast<int>(EventKind::failure) + 1;
+inline constexpr int kEventKindCount = static_cast<int>(EventKind::edit_undone) + 1;
 
 enum class Rule : std::uint8_t {
   none,
@@ -55,8 +58,23 @@ enum class Rule : std::uint8_t {
   reduce_obtuse,
   shared_edge,  // section 4
   polish,       // our own: what is worst in the mesh
+  rebay,
+  size_optimal,
+  spokes,
+  tiling,
+  row_rest,  // placements in rows
+  smooth,
+  best_shape,
+  delaunay_flip,
+  anneal,
+  relax,
+  cure_relax,
+  cure_flip,
+  cure_collapse,
+  cure_split,
+  cure_pair,  // the optimiser, our own
 };
-inline constexpr int kRuleCount = static_cast<int>(Rule::polish) + 1;
+inline constexpr int kRuleCount = static_cast<int>(Rule::cure_pair) + 1;
 
 enum class Refusal : std::uint8_t {
   none,
@@ -69,8 +87,11 @@ enum class Refusal : std::uint8_t {
   bound_broken,         // a bound of section 3 would no longer hold
   budget_spent,
   too_many_triangles,  // the mesh would have more than Settings::maxTriangles
+  misses_circle,       // the point lies outside the circumcircle of the triangle that it was proposed for
+  too_thin,            // a triangle would become too thin
+  patch_worse,         // the patch around an edit would not be better
 };
-inline constexpr int kRefusalCount = static_cast<int>(Refusal::too_many_triangles) + 1;
+inline constexpr int kRefusalCount = static_cast<int>(Refusal::patch_worse) + 1;
 
 inline constexpr std::uint32_t kNoId = 0xffffffffu;
 

@@ -19,6 +19,16 @@ constexpr double kMostTriangles = 5e8;  // half-edges and ids are counted in 32 
 
 constexpr std::array kOnOff{NamedValue{"on", 1.0}, NamedValue{"off", 0.0}};
 
+constexpr std::array kSizes{NamedValue{"ranks", 0.0}, NamedValue{"continuous", 1.0}};
+constexpr std::array kPlacements{NamedValue{"circumcentre", 0.0}, NamedValue{"off-centre", 1.0},
+                                 NamedValue{"frontal", 2.0},      NamedValue{"size-optimal", 3.0},
+                                 NamedValue{"tiling", 4.0},       NamedValue{"spokes", 5.0}};
+constexpr std::array kDials{NamedValue{"easy", 0.0}, NamedValue{"default", 1.0}, NamedValue{"acute", 2.0}};
+
+/// In the order of Dial.
+constexpr std::array kMarks{Aims{43.0, 86.0, 1.55, 1.46}, Aims{44.0, 80.0, 1.40, 1.42}, Aims{44.5, 74.0, 1.25, 1.375}};
+static_assert(kMarks.size() == kDials.size());
+
 constexpr std::array kTable{
     SettingInfo{"min_edge_length", "Δx", "smallest edge", "length", memberOf<&Settings::minEdge>(), 0.0, kLongest, 0.0,
                 0.0, Stage::constraints,
@@ -63,6 +73,69 @@ constexpr std::array kTable{
     SettingInfo{"refine_passes", "", "budget of passes of step 6", "passes", memberOf<&Settings::refinePasses>(), 0.0,
                 10000.0, 0.0, 0.0, Stage::refine,
                 "Step 6 stops after this many passes even if the last one moved a vertex."},
+    SettingInfo{
+        "size", "", "edge length between cells", "", memberOf<&Settings::size>(), 0.0, 1.0, 0.0, 0.0, Stage::density,
+        "Edge lengths jump by 26 % from a density rank to the next, as in the paper, or change continuously.", kSizes},
+    SettingInfo{
+        "placement", "", "where points go", "", memberOf<&Settings::placement>(), 0.0, 5.0, 0.0, 0.0, Stage::front1,
+        "Points go to circumcentres or off-centres by steps 1 to 5, or row by row by an advancing front.", kPlacements},
+    SettingInfo{"optimise", "", "optimise", "on/off", memberOf<&Settings::optimise>(), 0.0, 1.0, 0.0, 0.0,
+                Stage::optimise, "The mesh is optimised at the end: by moves, flips, merged and split edges.", kOnOff},
+    SettingInfo{"dial", "", "what to optimise for", "", memberOf<&Settings::dial>(), 0.0, 2.0, 0.0, 0.0,
+                Stage::optimise, "How far the optimiser goes: it sets the four numbers below where they are 0.",
+                kDials},
+    SettingInfo{"lowest_angle",
+                "",
+                "lowest angle to aim at",
+                "deg",
+                memberOf<&Settings::lowestAngle>(),
+                0.0,
+                55.0,
+                0.0,
+                0.0,
+                Stage::optimise,
+                "The optimiser aims at no angle below this; 0 takes what the dial says.",
+                {},
+                [](const Settings& settings) { return aimsOf(settings).lowestAngle; }},
+    SettingInfo{"highest_angle",
+                "",
+                "highest angle to aim at",
+                "deg",
+                memberOf<&Settings::highestAngle>(),
+                0.0,
+                120.0,
+                0.0,
+                0.0,
+                Stage::optimise,
+                "The optimiser aims at no angle above this; 0 takes what the dial says.",
+                {},
+                [](const Settings& settings) { return aimsOf(settings).highestAngle; }},
+    SettingInfo{"area_ratio",
+                "",
+                "area ratio to aim at",
+                "ratio",
+                memberOf<&Settings::areaRatio>(),
+                0.0,
+                10.0,
+                0.0,
+                0.0,
+                Stage::optimise,
+                "The optimiser aims at no neighbours with a larger ratio of areas; 0 takes what the dial says.",
+                {},
+                [](const Settings& settings) { return aimsOf(settings).areaRatio; }},
+    SettingInfo{"edge_ratio",
+                "",
+                "edge ratio to aim at",
+                "ratio",
+                memberOf<&Settings::edgeRatio>(),
+                0.0,
+                10.0,
+                0.0,
+                0.0,
+                Stage::optimise,
+                "The optimiser aims at no triangle with a larger ratio of edges; 0 takes what the dial says.",
+                {},
+                [](const Settings& settings) { return aimsOf(settings).edgeRatio; }},
 };
 
 std::string keys() {
@@ -115,6 +188,15 @@ const SettingInfo* findSetting(std::string_view key) {
   return nullptr;
 }
 
+Aims aimsOf(const Settings& settings) {
+  Aims aims = kMarks[static_cast<std::size_t>(settings.dial)];
+  if (settings.lowestAngle > 0.0) aims.lowestAngle = settings.lowestAngle;
+  if (settings.highestAngle > 0.0) aims.highestAngle = settings.highestAngle;
+  if (settings.areaRatio > 0.0) aims.areaRatio = settings.areaRatio;
+  if (settings.edgeRatio > 0.0) aims.edgeRatio = settings.edgeRatio;
+  return aims;
+}
+
 bool refines(const Settings& settings) {
   return settings.laplacian || settings.reduceObtuse || settings.sharedEdge || settings.polish;
 }
@@ -139,7 +221,7 @@ std::string valueText(const SettingInfo& info, double value) {
 
 std::string settingText(const SettingInfo& info, double value) {
   if (isNamed(info)) return std::string(valueName(info, value));
-  if (info.unit == "length" && value == 0.0) return "auto";
+  if (value == 0.0 && (info.unit == "length" || info.inForce != nullptr)) return "auto";
   return compact(value, 4) + (info.unit == "deg" ? "°" : "");
 }
 

@@ -13,6 +13,17 @@
 
 namespace triscope {
 
+/// What the edge length wanted at a point is: that of its cell's density rank, or one made continuous.
+enum class SizeField : std::uint8_t { ranks, continuous };
+
+/// Where points go, once the boundary is triangulated. The first two belong to steps 1-5, which go on until their rules
+/// hold; the others are those of an advancing front, which fills the domain row by row.
+enum class Placement : std::uint8_t { circumcentre, off_centre, rebay, size_optimal, tiling, spokes };
+inline bool placesByFront(Placement placement) { return placement >= Placement::rebay; }
+
+/// How far the optimiser goes.
+enum class Dial : std::uint8_t { easy, standard, acute };
+
 struct Settings {
   double minEdge = 0.0;         // Δx; 0: the domain file's, or derived
   double curvatureTurn = 30.0;  // degrees of turning that one edge may span on a curve
@@ -29,6 +40,14 @@ struct Settings {
   bool sharedEdge = true;       // step 6, part 3
   bool polish = true;           // step 6, part 4, our own
   int refinePasses = 30;        // budget of passes of step 6
+  SizeField size = SizeField::ranks;
+  Placement placement = Placement::circumcentre;
+  bool optimise = false;       // after step 6, our own
+  Dial dial = Dial::standard;  // what the optimiser aims at; each of the next four in its place where it is not 0
+  double lowestAngle = 0.0;    // degrees
+  double highestAngle = 0.0;   // degrees
+  double areaRatio = 0.0;
+  double edgeRatio = 0.0;
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
@@ -76,13 +95,25 @@ struct SettingInfo {
   double highest;
   double paperLow;  // outside [paperLow, paperHigh] is a warning; equal: the paper gives no range
   double paperHigh;
-  Stage firstStage;                     // a change cannot matter before this stage
-  std::string_view help;                // one sentence
-  std::span<const NamedValue> names{};  // all that there are of a switch or a named value, as they are offered
+  Stage firstStage;                              // a change cannot matter before this stage
+  std::string_view help;                         // one sentence
+  std::span<const NamedValue> names{};           // all that there are of a switch or a named value, as they are offered
+  double (*inForce)(const Settings&) = nullptr;  // of a number that may be 0: what another setting then makes it
 };
 
 std::span<const SettingInfo> settingTable();
 const SettingInfo* findSetting(std::string_view key);
+/// What the optimiser aims at: no angle beyond these, no pair with a larger area ratio, no triangle with a larger edge
+/// ratio.
+struct Aims {
+  double lowestAngle;   // degrees
+  double highestAngle;  // degrees
+  double areaRatio;
+  double edgeRatio;
+};
+/// Those of the dial, but for those that are given.
+Aims aimsOf(const Settings& settings);
+
 /// Whether step 6 has anything to do.
 bool refines(const Settings& settings);
 double settingValue(const Settings& settings, const SettingInfo& info);

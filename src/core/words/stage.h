@@ -16,13 +16,15 @@ enum class Stage : std::uint8_t {
   carve,          // Figure 4 (b), triangles outside removed
   front1,         // Figure 4 (c)
   front2,         // Figure 4 (c)
+  rows,           // our own: in place of the two fronts and step 1, rows of points from the boundary inwards
   step1,          // Figure 4 (d)
   step2,          // a round is steps 2, 3, 4, 5
   step3,
   step4,
-  step5,   // Figure 4 (e) once a round inserts nothing
-  repair,  // our own: mends what the steps had to refuse
-  refine,  // step 6, Figure 4 (f)
+  step5,     // Figure 4 (e) once a round inserts nothing
+  repair,    // our own: mends what the steps had to refuse
+  refine,    // step 6, Figure 4 (f)
+  optimise,  // our own: no angle, area ratio or edge ratio beyond what the dial asks for
   finished,
 };
 

@@ -104,11 +104,35 @@ constexpr std::array kKinds = std::to_array<KindWords>({
      .placed = true,
      .picture = Picture::failure,
      .caption = "{stage} cannot go on at {place}{because}."},
+    {.name = "edit kept",
+     .subject = Names::triangle,
+     .created = Names::triangle,
+     .does = kProposes,
+     .placed = true,
+     .picture = Picture::patch,
+     .caption = "{rule} around {triangle}: {why}. The penalty of the patch fell from {limit} to {measured}.",
+     .captionOfRule = &RuleWords::kept},
+    {.name = "edit undone",
+     .subject = Names::triangle,
+     .does = kProposes | kRefuses,
+     .placed = true,
+     .picture = Picture::patch,
+     .caption = "{rule} around {triangle}, tried and taken back: {refusal}. The penalty of the patch went from {limit} "
+                "to {measured}.",
+     .captionOfRule = &RuleWords::undone},
 });
 static_assert(kKinds.size() == static_cast<std::size_t>(kEventKindCount));
 
 constexpr std::string_view kStepRefused =
     "{rule} proposed a vertex at {place} for {triangle}, because {reason}; it was refused: {refused}.";
+constexpr std::string_view kRowInserted =
+    "{rule} put vertex {vertex} at {place} over the shortest front edge of {triangle}, {measured} long, where edges of "
+    "h "
+    "= {limit} are wanted: {why}.{effect}";
+constexpr std::string_view kRowRefused =
+    "{rule} proposed a vertex at {place} over the shortest front edge of {triangle}, and it was refused: {refusal}. "
+    "The "
+    "triangle is done.";
 constexpr std::string_view kFrontInserted = "{rule}: vertex {vertex} was placed at {place}{off}, {why}.{effect}";
 
 /// In the order of Rule.
@@ -236,6 +260,72 @@ constexpr std::array kRules = std::to_array<RuleWords>({
      .silent = "it was far from the worst of the mesh, and not obtuse",
      .stage = Stage::refine,
      .ofVertices = true},
+    {.name = "frontal",
+     .description = "over a front edge, where its triangle gets the circumradius of an equilateral one",
+     .family = Family::row,
+     .inserted = kRowInserted,
+     .refused = kRowRefused},
+    {.name = "size-optimal",
+     .description = "over a front edge, where its sides have the length wanted",
+     .family = Family::row,
+     .inserted = kRowInserted,
+     .refused = kRowRefused},
+    {.name = "spokes",
+     .description = "over a front edge, between the tips of two spokes that divide the angles at its ends",
+     .family = Family::row,
+     .inserted = kRowInserted,
+     .refused = kRowRefused},
+    {.name = "tiling",
+     .description = "a point of the hexagonal lattice of a density rank, in a white cell",
+     .family = Family::row,
+     .inserted = "{rule} put vertex {vertex} at {place}: {why}, with edges of h = {limit}.{effect}",
+     .refused = "{rule} proposed a vertex at {place}, and it was refused: {refusal}."},
+    {.name = "rest of the rows",
+     .description = "the triangle was left too large by the rows",
+     .family = Family::row,
+     .inserted =
+         "The rows left {triangle} too large, with R = {measured} where edges of h = {limit} are wanted: vertex "
+         "{vertex} was put at its circumcentre.{effect}",
+     .refused = "The rows left {triangle} too large; a vertex at its circumcentre {place} was refused: {refusal}."},
+    {.name = "smoothing",
+     .description = "moved to the mean of the circumcentres around it, dense places weighing more",
+     .family = Family::move,
+     .silent = "its corners lie on the boundary, or hardly moved",
+     .stage = Stage::optimise,
+     .ofVertices = true},
+    {.name = "best shape",
+     .description = "moved to where the triangles around it are nearest to equilateral ones of the size wanted",
+     .family = Family::move,
+     .silent = "its corners lie on the boundary, or hardly moved",
+     .stage = Stage::optimise,
+     .ofVertices = true},
+    {.name = "Delaunay flip",
+     .description = "after the moves, its edge was no longer Delaunay",
+     .family = Family::edit,
+     .kept = "{rule}: {why}, opposite an obtuse angle of {triangle}.{effect}"},
+    {.name = "anneal",
+     .description = "dislocations, a vertex of five triangles beside one of seven, glide by flips until they meet",
+     .family = Family::edit,
+     .kept = "{rule} from vertex {vertex}: {why}. The patch was smoothed; its sum of squared excess degrees fell from "
+             "{limit} to {measured}.{effect}",
+     .undone =
+         "{rule} from vertex {vertex}, tried and taken back: with the flips, smoothed, a triangle would be thin, or "
+         "the sum of squared excess degrees would not stay below {limit}."},
+    {.name = "relax",
+     .description = "moved to where less around it is beyond what is aimed at",
+     .family = Family::move,
+     .silent = "nothing around it was beyond what is aimed at, or its corners may not move",
+     .stage = Stage::optimise,
+     .ofVertices = true},
+    {.name = "cure by relaxing", .description = "the patch around it was relaxed", .family = Family::edit},
+    {.name = "cure by a flip", .description = "an edge was flipped, and the patch relaxed", .family = Family::edit},
+    {.name = "cure by merging",
+     .description = "the ends of an edge were merged, and the patch relaxed",
+     .family = Family::edit},
+    {.name = "cure by splitting", .description = "an edge was split, and the patch relaxed", .family = Family::edit},
+    {.name = "cure by two edits",
+     .description = "two edits were made in a row, the patch relaxed after each",
+     .family = Family::edit},
 });
 static_assert(kRules.size() == static_cast<std::size_t>(kRuleCount));
 
@@ -252,6 +342,9 @@ constexpr std::array kRefusals = std::to_array<RefusalWords>({
     {"budget spent", "the stage has used up the steps it is allowed", ""},
     {"too many triangles", "the mesh would have more triangles than max_triangles allows",
      " ({rough} > {whole_limit})"},
+    {"misses the circumcircle", "the point lies outside the triangle's circumcircle, or hardly above its edge", ""},
+    {"too thin", "a triangle would become too thin, even a quarter of the way", ""},
+    {"patch gets worse", "the patch would not become better by enough", ""},
 });
 static_assert(kRefusals.size() == static_cast<std::size_t>(kRefusalCount));
 

@@ -35,7 +35,7 @@ struct NamesWords {
 };
 
 /// What a decision is drawn as.
-enum class Picture : std::uint8_t { none, place, cell, insertion, refusal, move, removal, carved, failure };
+enum class Picture : std::uint8_t { none, place, cell, insertion, refusal, move, removal, carved, failure, patch };
 
 /// What a decision does, bit by bit.
 enum Does : std::uint8_t {
@@ -49,7 +49,7 @@ enum Does : std::uint8_t {
 };
 
 /// Where a rule stands in the method.
-enum class Family : std::uint8_t { none, source, neighbour, boundary, front, step, repair, move };
+enum class Family : std::uint8_t { none, source, neighbour, boundary, front, row, step, repair, move, edit };
 
 struct RuleWords {
   std::string_view name = {};         // "step 3"
@@ -60,6 +60,8 @@ struct RuleWords {
   std::string_view limit = {};     // what the limit of a step is
   std::string_view inserted = {};  // caption of a point that it put in, a template
   std::string_view refused = {};   // caption of one that was refused, a template
+  std::string_view kept = {};      // caption of an edit that was kept, a template
+  std::string_view undone = {};    // caption of one that was taken back, a template
   std::string_view silent = {};    // what was true of a triangle that it had a look at and proposed nothing for
   Stage stage = Stage::finished;   // where it has a look at every triangle, if `silent` says so
   bool ofVertices = false;         // proposes for vertices, not for triangles

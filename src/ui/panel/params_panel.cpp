@@ -1,9 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/number.h"
 #include "core/study/compare.h"
+#include "core/words/preset.h"
 #include "ui/kit/style.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panels.h"
@@ -104,8 +106,9 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   } else {
     const std::string label = info.symbol.empty() ? labelOf(info) : fmt::format("{}  {}", info.symbol, labelOf(info));
     muted(view, label);
-    const bool automatic = isLength(info) && before == 0.0;
-    if (automatic && state != nullptr) value = state->minEdge;
+    const bool automatic = before == 0.0 && (isLength(info) || info.inForce != nullptr);
+    if (automatic && info.inForce != nullptr) value = info.inForce(settings);
+    if (automatic && isLength(info) && state != nullptr) value = state->minEdge;
     const bool possible = state != nullptr || !isLength(info);
     ImGui::SetNextItemWidth(std::max(view.px(60), ImGui::GetContentRegionAvail().x - view.px(102)));
     ImGui::BeginDisabled(!possible);
@@ -146,6 +149,36 @@ void row(const View& view, Orders& orders, const SettingInfo& info) {
   ImGui::PopID();
 }
 
+void presetButtons(const View& view, Orders& orders) {
+  const Preset* const inForce = presetOf(view.session.settings());
+  muted(view, "Preset");
+  for (const Preset& preset : presets()) {
+    if (&preset != presets().data()) ImGui::SameLine();
+    const bool on = &preset == inForce;
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (ImGui::Button(std::string(preset.label).c_str()) && !on) {
+      Settings settings = view.session.settings();
+      applyPreset(settings, preset);
+      orders.emplace_back(command::Change{settings});
+    }
+    if (on) ImGui::PopStyleColor();
+    note(view, "preset." + std::string(preset.key));
+    tip(view, fmt::format("{}\nKey on the command line: --preset {}.", preset.help, preset.key));
+  }
+}
+
+/// A part of the panel: the settings whose first stage is one of it.
+struct Section {
+  const char* heading;
+  bool (*has)(Stage);
+};
+// First what runs again in an instant, and is tuned most.
+constexpr std::array kSections{
+    Section{"Step 6: local refinements", refinesMesh},
+    Section{"Optimise", optimisesMesh},
+    Section{"Density and insertion", [](Stage stage) { return !isPastRounds(stage); }},
+};
+
 /// The run as it could be repeated without a window.
 std::string commandLine(const View& view) {
   const Domain& domain = *view.now()->state.domain;
@@ -166,11 +199,11 @@ void drawParams(const View& view, Orders& orders) {
                             : view.session.settings().minEdge > 0 ? "as set here"
                                                                   : "as the domain says"));
   }
-  // First what runs again in an instant, and is tuned most.
-  for (const bool refinement : {true, false}) {
-    heading(view, refinement ? "Step 6: local refinements" : "Density and insertion");
+  presetButtons(view, orders);
+  for (const Section& section : kSections) {
+    heading(view, section.heading);
     for (const SettingInfo& info : settingTable())
-      if (isPastRounds(info.firstStage) == refinement) row(view, orders, info);
+      if (section.has(info.firstStage)) row(view, orders, info);
   }
   ImGui::Dummy({0, view.px(4)});
   const Settings standard;

@@ -7,7 +7,8 @@
 namespace triscope {
 namespace {
 
-constexpr int kByOne = 64;  // tries to place a curve's points with one edge less each time
+constexpr double kShortestPart = 0.7;  // of Δx: an edge where lengths are continuous
+constexpr int kByOne = 64;             // tries to place a curve's points with one edge less each time
 
 struct Sample {
   double t;
@@ -57,19 +58,28 @@ double shortestChord(const Curve& curve, const std::vector<double>& params) {
   return std::sqrt(shortest);
 }
 
+// So many edges, of the length wanted each or of that times some ratio. Where the length is continuous the ratio
+// nearest to 1 counts, which keeps it within 0.71 and 1.41; else, as in the paper, the nearest number.
+int edgesFor(double integral, SizeField size) {
+  if (size == SizeField::ranks) return static_cast<int>(std::floor(integral + 0.5));
+  const double fewer = std::floor(integral);
+  return static_cast<int>(integral * integral > fewer * (fewer + 1.0) ? fewer + 1.0 : fewer);
+}
+
 void placeOn(MeshState& state, std::uint32_t index, int fewest) {
   const Curve& curve = state.domain->curves[index];
   std::vector<Sample> samples;
   std::vector<double> params;
   integrate(state, curve, samples);
-  int n = std::max(fewest, static_cast<int>(std::floor(samples.back().integral + 0.5)));
+  int n = std::max(fewest, edgesFor(samples.back().integral, state.settings.size));
+  const double shortestAllowed = state.minEdge * (state.settings.size == SizeField::continuous ? kShortestPart : 1.0);
   place(samples, n, params);
   // One edge less, and so on until none is too short; after many tries by what is missing, or a long curve would be
   // placed as often as it has edges.
   for (int tries = 0; n > fewest; ++tries) {
     const double shortest = shortestChord(curve, params);
-    if (shortest >= state.minEdge * (1.0 - 1e-9)) break;
-    const int fewer = tries < kByOne ? n - 1 : std::min(n - 1, static_cast<int>(n * (shortest / state.minEdge)));
+    if (shortest >= shortestAllowed * (1.0 - 1e-9)) break;
+    const int fewer = tries < kByOne ? n - 1 : std::min(n - 1, static_cast<int>(n * (shortest / shortestAllowed)));
     n = std::max(fewest, fewer);
     place(samples, n, params);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/density/classify.h"
+#include "core/density/continuous_size.h"
 #include "core/method/stages/balance.h"
 #include "core/method/stages/split_leaf.h"
 #include "core/method/stages/stage_runs.h"
@@ -103,6 +104,7 @@ Outcome runDensity(MeshState& state, Journal& journal) {
   }
   if (cursor.phase == classifying) {
     state.estimatedTriangles = classifyCells(state.tree, *state.domain);
+    if (state.settings.size == SizeField::continuous) state.tree.corners = continuousLengths(state.tree);
     cursor.phase = classified;
     holdToLimit(state, state.estimatedTriangles, journal);
   }

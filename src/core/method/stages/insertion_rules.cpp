@@ -10,8 +10,6 @@
 namespace triscope {
 namespace {
 
-double squared(double x) { return x * x; }
-
 // "Not below" up to rounding: a tie (an angle of exactly 30°) must not be left on the wrong side of a strict bound.
 bool notBelow(double squaredMeasured, double squaredLimit) {
   return squaredMeasured >= squaredLimit * (1.0 - kBoundMargin);
@@ -28,8 +26,28 @@ Circumcircle circleOf(const Mesh& mesh, Slot slot) {
   return circumcircle(pointOf(mesh, t.v[0]), pointOf(mesh, t.v[1]), pointOf(mesh, t.v[2]));
 }
 
-bool atCentre(const Circumcircle& circle, double squaredLimit, Slot other, Proposal& proposal) {
-  proposal.at = circle.centre;
+// Straight over the middle of the shortest edge, where it sees the edge under a little more than 30°, or at the
+// circumcentre, whichever is nearer to the edge: the off-centre (A. Üngör, 2004) for the bound R < e of step 3.
+Point offCentre(const Mesh& mesh, Slot slot, Point centre) {
+  constexpr double kHeight = 1.8;  // over the edge, of its length; at (2 + √3)/2 the angle is 30°
+  const Triangle& t = triangleAt(mesh, slot);
+  Point a, b;
+  double shortest = 1e300;
+  for (int i = 0; i < 3; ++i) {
+    const Point p = pointOf(mesh, t.v[next3(i)]), q = pointOf(mesh, t.v[prev3(i)]);
+    if (squaredDistance(p, q) >= shortest) continue;
+    shortest = squaredDistance(p, q);
+    a = p, b = q;
+  }
+  const Point middle = midpoint(a, b);
+  const double farthest = kHeight * std::sqrt(shortest), far = distance(middle, centre);
+  return far > farthest ? middle + (farthest / far) * (centre - middle) : centre;
+}
+
+bool atCentre(const MeshState& state, Slot slot, const Circumcircle& circle, double squaredLimit, Slot other,
+              Proposal& proposal) {
+  const bool off = state.settings.placement == Placement::off_centre;
+  proposal.at = off ? offCentre(state.mesh, slot, circle.centre) : circle.centre;
   proposal.measured = std::sqrt(circle.squaredRadius);
   proposal.limit = std::sqrt(squaredLimit);
   proposal.other = other;
@@ -41,7 +59,7 @@ bool step1(const MeshState& state, Slot slot, LeafPath& path, Proposal& proposal
   const Circumcircle circle = circleOf(state.mesh, slot);
   if (!notBelow(circle.squaredRadius, squared(state.tree.minEdge))) return false;
   const double limit = squared(edgeLengthAt(state.tree, circle.centre, path));
-  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, {}, proposal);
+  return notBelow(circle.squaredRadius, limit) && atCentre(state, slot, circle, limit, {}, proposal);
 }
 
 // Step 2: R ≥ the least h over the three apexes.
@@ -52,14 +70,14 @@ double leastEdgeLength(const MeshState& state, const Triangle& t) {
 bool step2(const MeshState& state, Slot slot, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);
   const double limit = squared(leastEdgeLength(state, triangleAt(state.mesh, slot)));
-  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, {}, proposal);
+  return notBelow(circle.squaredRadius, limit) && atCentre(state, slot, circle, limit, {}, proposal);
 }
 
 // Step 3: R ≥ e. Bounds the edge ratio, the angles and the aspect ratio (Theorem 1).
 bool step3(const MeshState& state, Slot slot, Proposal& proposal) {
   const Circumcircle circle = circleOf(state.mesh, slot);
   const double limit = squaredShortestEdge(state.mesh, slot);
-  return notBelow(circle.squaredRadius, limit) && atCentre(circle, limit, {}, proposal);
+  return notBelow(circle.squaredRadius, limit) && atCentre(state, slot, circle, limit, {}, proposal);
 }
 
 // Step 4: R ≥ e of an adjacent triangle. Not as the paper says, it passes by a pair whose areas are close already:
@@ -71,7 +89,8 @@ bool step4(const MeshState& state, Slot slot, Proposal& proposal) {
     if (!across.exists()) continue;
     if (own < state.settings.step4AreaRatio * twiceArea(state.mesh, triangleOf(across))) continue;
     const double limit = squaredShortestEdge(state.mesh, triangleOf(across));
-    if (notBelow(circle.squaredRadius, limit)) return atCentre(circle, limit, triangleOf(across), proposal);
+    if (notBelow(circle.squaredRadius, limit))
+      return atCentre(state, slot, circle, limit, triangleOf(across), proposal);
   }
   return false;
 }

@@ -14,9 +14,11 @@ Outcome runRecovery(MeshState& state, Journal& journal);
 Outcome runCarve(MeshState& state, Journal& journal);
 Outcome runFront1(MeshState& state, Journal& journal);
 Outcome runFront2(MeshState& state, Journal& journal);
+Outcome runRows(MeshState& state, Journal& journal);
 Outcome runSteps(MeshState& state, Journal& journal);  // step 1 … 5, by state.stage
 Outcome runRepair(MeshState& state, Journal& journal);
 Outcome runRefine(MeshState& state, Journal& journal);
+Outcome runOptimise(MeshState& state, Journal& journal);
 
 /// Cells that a stage looks at before it says `worked`: some microseconds.
 inline constexpr int kPiece = 1024;
