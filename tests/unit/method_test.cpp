@@ -75,6 +75,20 @@ TEST(FirstAffected, IsTheStageThatReadsTheSettingOrThatDecidesWhetherOneIsRun) {
   EXPECT_EQ(firstAffected(standard, support::withoutStep6()), Stage::repair);
   changed.maxRounds = 7;
   EXPECT_EQ(firstAffected(standard, changed), Stage::step2);
+  changed = standard;
+  changed.placement = Placement::spokes;
+  EXPECT_EQ(firstAffected(standard, changed), Stage::carve) << "the last stage that both have";
+  changed.placement = Placement::off_centre;
+  EXPECT_EQ(firstAffected(standard, changed), Stage::front1);
+  changed = standard;
+  changed.optimise = true;
+  EXPECT_EQ(firstAffected(standard, changed), Stage::refine);
+  changed = standard;
+  changed.dial = Dial::acute;
+  EXPECT_EQ(firstAffected(standard, changed), Stage::optimise);
+  changed = standard;
+  changed.size = SizeField::continuous;
+  EXPECT_EQ(firstAffected(standard, changed), Stage::density);
 }
 
 }  // namespace

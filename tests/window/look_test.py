@@ -123,11 +123,11 @@ class Stages(harness.WindowTest):
     def test_the_whole_list_is_in_sight(self):
         state = self.window.settled()
         rows = [box for name, box in state["widgets"].items() if name.startswith("stage.")]
-        self.assertEqual(len(rows), 17)
+        self.assertEqual(len(rows), 19)
         for x, y, width, height, _ in rows:
             self.assertGreater(y, state["widgets"]["tab.Stages"][1] + 15)
             self.assertLess(y + height, state["widgets"]["timeline"][1])
-        self.assertEqual(len({box[1] for box in rows}), 17)
+        self.assertEqual(len({box[1] for box in rows}), 19)
 
 
 class Room(harness.WindowTest):

@@ -67,7 +67,7 @@ RelaxStep relaxVertex(Workpiece& work, Vertex vertex, const PenaltyLimits& limit
     double t = 0.0;
     if (place) {
       t = place->t + scale * way.along;
-      if (!(t > mesh.edges[place->before].t0 && t < mesh.edges[place->after].t1)) continue;
+      if (t <= mesh.edges[place->before].t0 || t >= mesh.edges[place->after].t1) continue;
       to = pointAt(work.curves[place->curve], t);
     }
     if (k == 0) step.to = to;

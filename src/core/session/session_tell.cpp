@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/method/stages/stage_runs.h"
 #include "core/session/session_steps.h"
 
 namespace triscope {
 namespace {
 
-/// How far the run is, from 0 to 1: insertions make up most of it, step 6 the rest.
+/// How far the run is, from 0 to 1: insertions make up most of it, step 6 and the optimiser the rest.
 double fractionDone(const MeshState& s) {
   constexpr double kSearch = 0.1;  // for constraints: next to nothing for a few curves, most of the time for thousands
   constexpr double kInsertions = 0.85;
@@ -18,6 +19,8 @@ double fractionDone(const MeshState& s) {
     const double passes = std::max(1, s.settings.refinePasses);
     return kInsertions + (1.0 - kInsertions) * std::min(1.0, static_cast<double>(s.round) / passes);
   }
+  if (optimisesMesh(s.stage))
+    return kInsertions + (1.0 - kInsertions) * std::min(1.0, static_cast<double>(s.round) / optimiserPasses());
   if (s.stage < Stage::front1 || s.estimatedTriangles <= 0.0) return kSearch;
   const double made = std::min(1.0, static_cast<double>(s.mesh.liveCount()) / s.estimatedTriangles);
   return kSearch + (kInsertions - kSearch) * made;

@@ -175,8 +175,8 @@ struct Section {
 // First what runs again in an instant, and is tuned most.
 constexpr std::array kSections{
     Section{"Step 6: local refinements", refinesMesh},
-    Section{"Optimise", optimisesMesh},
     Section{"Density and insertion", [](Stage stage) { return !isPastRounds(stage); }},
+    Section{"Optimise", optimisesMesh},
 };
 
 /// The run as it could be repeated without a window.

@@ -72,6 +72,8 @@ void beginPass(Optimiser& o) {
 
 }  // namespace
 
+int optimiserPasses() { return static_cast<int>(kOptimiserPasses.size()); }
+
 Outcome runOptimise(MeshState& state, Journal& journal) {
   // phase: the pass, from 0; index: where it is.
   Cursor& cursor = state.cursor;

@@ -53,7 +53,7 @@ FrontSpoke spokeFrom(const Mesh& mesh, const RowFront& front, Half base, bool fr
   const Point last = pointOf(mesh, startOf(mesh, side) == hub ? endOf(mesh, side) : startOf(mesh, side));
   double angle = fromStart ? trig::angleBetween(other - at, last - at) : trig::angleBetween(last - at, other - at);
   if (angle <= 1e-9) angle += 2.0 * trig::kPi;
-  const int fits = static_cast<int>(angle / kSixty + 0.5);
+  const int fits = static_cast<int>(std::floor(angle / kSixty + 0.5));
   if (fits <= 1) return {last, true};
   const trig::SinCos turn = trig::sinCos(kSixty + kHalfTurn * (angle / fits - kSixty));
   const Point along = (1.0 / distance(at, other)) * (other - at);

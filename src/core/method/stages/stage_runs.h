@@ -19,6 +19,8 @@ Outcome runSteps(MeshState& state, Journal& journal);  // step 1 … 5, by state
 Outcome runRepair(MeshState& state, Journal& journal);
 Outcome runRefine(MeshState& state, Journal& journal);
 Outcome runOptimise(MeshState& state, Journal& journal);
+/// Passes that it has, counted by MeshState::round from 1; some may be left out.
+int optimiserPasses();
 
 /// Cells that a stage looks at before it says `worked`: some microseconds.
 inline constexpr int kPiece = 1024;
