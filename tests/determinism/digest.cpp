@@ -1,5 +1,6 @@
-// triscope_digest DOMAIN…: a line for every stage of every run, with the digests of the state and of the events so far.
-// Two builds of this program must print the same; the first line that differs names the stage to look at.
+// triscope_digest DOMAIN…: a line for every stage of every run, by each preset, with the digests of the state and of
+// the events so far. Two builds of this program must print the same; the first line that differs names the stage to
+// look at.
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,6 +10,7 @@
 #include "core/domain/read.h"
 #include "core/io/events_file.h"
 #include "core/method/pipeline.h"
+#include "core/words/preset.h"
 
 namespace {
 
@@ -19,10 +21,12 @@ void mix(std::uint64_t& digest, std::string_view text) {
   for (const char c : text) digest = (digest ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
 }
 
-bool digest(const std::string& file) {
+bool digest(const std::string& file, const Preset& preset) {
+  Settings settings;
+  applyPreset(settings, preset);
   Result<Domain> domain = readDomain(file);
   Result<MeshState> state =
-      domain.ok() ? begin(std::make_shared<const Domain>(std::move(*domain)), Settings{}) : domain.error();
+      domain.ok() ? begin(std::make_shared<const Domain>(std::move(*domain)), settings) : domain.error();
   if (!state.ok()) {
     fmt::print(stderr, "{}\n", describe(state.error()));
     return false;
@@ -37,8 +41,8 @@ bool digest(const std::string& file) {
     advance(*state, Grain::stage, journal);
     for (const Event& event : events) mix(heard, eventLine(event, count++));
     events.clear();
-    fmt::print("{} {} round {} decisions {} state {:016x} events {:016x}\n", state->domain->name, stage, round,
-               state->tick, hashOf(*state), heard);
+    fmt::print("{} by {}: {} round {} decisions {} state {:016x} events {:016x}\n", state->domain->name, preset.key,
+               stage, round, state->tick, hashOf(*state), heard);
   }
   return true;
 }
@@ -47,6 +51,7 @@ bool digest(const std::string& file) {
 
 int main(int argc, char** argv) {
   bool good = argc > 1;
-  for (int i = 1; i < argc; ++i) good = digest(argv[i]) && good;
+  for (int i = 1; i < argc; ++i)
+    for (const Preset& preset : presets()) good = digest(argv[i], preset) && good;
   return good ? 0 : 1;
 }
