@@ -26,10 +26,10 @@ struct Cell {
 using CornerLengths = std::array<float, 4>;
 
 struct Quadtree {
-  std::vector<Cell> cells;  // cells[0] is the root; none before the method has begun
+  std::vector<Cell> cells;             // cells[0] is the root; none before the method has begun
   std::vector<CornerLengths> corners;  // by cell, once the edge length is made continuous; none where it goes by ranks
-  Point origin;             // lower left corner of the root
-  double minEdge = 1.0;     // edge length of density rank 1, see finestLength(); known before there are cells
+  Point origin;                        // lower left corner of the root
+  double minEdge = 1.0;  // edge length of density rank 1, see finestLength(); known before there are cells
   double minEdgeInverse = 1.0;
   [[nodiscard]] double unit() const { return 4.0 * minEdge; }  // side of a rank-1 cell
   [[nodiscard]] double side(const Cell& c) const { return unit() * static_cast<double>(1ull << (c.rank - 1)); }

@@ -25,7 +25,8 @@ Half shortestEdgeOf(const Mesh& mesh, Slot slot) {
 }  // namespace
 
 std::string undercutText(const MeshState& state, const Quality& quality) {
-  if (state.minEdgeDerived || !quality.minEdgeAt.exists() || quality.minEdge >= kRounding * shortestMeant(state)) return {};
+  if (state.minEdgeDerived || !quality.minEdgeAt.exists() || quality.minEdge >= kRounding * shortestMeant(state))
+    return {};
   const Mesh& mesh = state.mesh;
   const Half half = shortestEdgeOf(mesh, quality.minEdgeAt);
   const Vertex a = startOf(mesh, half), b = endOf(mesh, half);

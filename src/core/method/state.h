@@ -65,8 +65,8 @@ struct MeshState {
   Room room;
 };
 
-/// No edge is meant to be shorter: Δx, or half of it once the mesh is held to the lengths that are wanted by ratio, which
-/// rows of points, continuous lengths and the optimiser do.
+/// No edge is meant to be shorter: Δx, or half of it once the mesh is held to the lengths that are wanted by ratio,
+/// which rows of points, continuous lengths and the optimiser do.
 double shortestMeant(const MeshState& state);
 
 /// 64-bit digest of everything above except the domain, the method, the counts and the room.
