@@ -75,6 +75,14 @@ void addInsertion(const SceneInput& in, Layer& layer) {
   layer.marks.push_back(oneMark(pointOf(mesh, vertex), Shape::circle, 8.0f, in.theme.candidate, in.theme.background));
 }
 
+/// A cross where it was to be, and why not.
+void addRefusalMark(const SceneInput& in, Layer& layer) {
+  const Event& event = *in.current;
+  layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
+  if (in.options.labels)
+    layer.labels.push_back(labelAt(in, event.at, std::string(name(event.refusal)), in.theme.refused));
+}
+
 void addRefusal(const SceneInput& in, Layer& layer) {
   const Mesh& mesh = in.state.mesh;
   const Event& event = *in.current;
@@ -88,9 +96,7 @@ void addRefusal(const SceneInput& in, Layer& layer) {
     layer.lines.push_back(polyline({stays, event.at}, {in.theme.refused, 1.4f, Dash::dotted, false}));
     layer.marks.push_back(oneMark(stays, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
   }
-  layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
-  if (in.options.labels)
-    layer.labels.push_back(labelAt(in, event.at, std::string(name(event.refusal)), in.theme.refused));
+  addRefusalMark(in, layer);
 }
 
 void addMove(const SceneInput& in, Layer& layer) {
@@ -136,9 +142,7 @@ void addPatch(const SceneInput& in, Layer& layer) {
     layer.marks.push_back(oneMark(event.at, Shape::ring, 9.0f, in.theme.candidate, {0, 0, 0, 0}));
     return;
   }
-  layer.marks.push_back(oneMark(event.at, Shape::cross, 9.0f, in.theme.refused, in.theme.background));
-  if (in.options.labels)
-    layer.labels.push_back(labelAt(in, event.at, std::string(name(event.refusal)), in.theme.refused));
+  addRefusalMark(in, layer);
 }
 
 void addCell(const SceneInput& in, Layer& layer) {

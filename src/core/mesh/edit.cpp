@@ -51,32 +51,27 @@ void killTriangle(Mesh& mesh, Slot slot) {
   noteTouched(mesh, slot);
 }
 
-namespace {
-
-int cornerWith(const Triangle& triangle, Vertex vertex) {
-  return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
+Slot firstInStar(const Mesh& mesh, Vertex vertex) {
+  const Slot begun = mesh.vertexTriangle[vertex];
+  Slot slot = begun;
+  do {
+    const Triangle& triangle = triangleAt(mesh, slot);
+    const Half across = triangle.adj[prev3(cornerOf(triangle, vertex))];
+    if (!across.exists()) return slot;
+    slot = triangleOf(across);
+  } while (slot != begun);
+  return begun;
 }
-
-}  // namespace
 
 void starOf(const Mesh& mesh, Vertex vertex, Star& star) {
   star.rim.clear();
   star.closed = false;
-  const Slot first = mesh.vertexTriangle[vertex];
-  if (!first.exists()) return;
-  // Turn clockwise to the boundary, or all the way round, then collect counter-clockwise.
-  Slot slot = first;
+  if (!mesh.vertexTriangle[vertex].exists()) return;
+  const Slot start = firstInStar(mesh, vertex);
+  Slot slot = start;
   for (;;) {
     const Triangle& triangle = triangleAt(mesh, slot);
-    const Half across = triangle.adj[prev3(cornerWith(triangle, vertex))];
-    if (!across.exists()) break;
-    slot = triangleOf(across);
-    if (slot == first) break;
-  }
-  const Slot start = slot;
-  for (;;) {
-    const Triangle& triangle = triangleAt(mesh, slot);
-    const int corner = cornerWith(triangle, vertex);
+    const int corner = cornerOf(triangle, vertex);
     star.rim.push_back(halfOf(slot, corner));
     const Half across = triangle.adj[next3(corner)];
     if (!across.exists()) return;
@@ -93,7 +88,7 @@ Half findHalfEdge(const Mesh& mesh, Vertex a, Vertex b) {
     Slot slot = first;
     do {
       const Triangle& triangle = triangleAt(mesh, slot);
-      const int corner = cornerWith(triangle, a);
+      const int corner = cornerOf(triangle, a);
       if (triangle.v[next3(corner)] == b) return halfOf(slot, prev3(corner));
       const int side = direction == 0 ? next3(corner) : prev3(corner);
       const Half across = triangle.adj[side];

@@ -38,6 +38,9 @@ struct Star {
   bool closed = false;
 };
 void starOf(const Mesh& mesh, Vertex vertex, Star& star);
+/// The triangle that it begins with: clockwise of it the star ends, or it is Mesh::vertexTriangle and the star is
+/// closed.
+Slot firstInStar(const Mesh& mesh, Vertex vertex);
 
 /// Boundary edges: each is in the lists of both its ends. One that was merged into another has no ends any more.
 inline bool exists(const BoundaryEdge& edge) { return edge.v0.exists(); }

@@ -114,9 +114,4 @@ void movePoint(Mesh& mesh, Vertex vertex, Point to, EditLog& log) {
   mesh.points[vertex] = to;
 }
 
-void setBoundaryEdge(Mesh& mesh, EdgeId edge, const BoundaryEdge& is, EditLog& log) {
-  save(mesh, edge, log);
-  mesh.edges[edge] = is;
-}
-
 }  // namespace triscope

@@ -65,7 +65,5 @@ Slot addTriangle(Mesh& mesh, Vertex a, Vertex b, Vertex c, EditLog& log);
 void killTriangle(Mesh& mesh, Slot slot, EditLog& log);
 /// Moves a vertex wherever it may be; the triangles around it are the caller's to look after.
 void movePoint(Mesh& mesh, Vertex vertex, Point to, EditLog& log);
-/// Where a boundary edge of the mesh lies on its curve has changed.
-void setBoundaryEdge(Mesh& mesh, EdgeId edge, const BoundaryEdge& is, EditLog& log);
 
 }  // namespace triscope

@@ -85,6 +85,10 @@ inline constexpr int cornerOf(Half half) { return half.n % 3; }
 /// Of all slots, also the free ones.
 inline Keys<Half> halvesOf(const Mesh& mesh) { return {Half(0), Half(3 * mesh.triangles.size())}; }
 inline constexpr Keys<Half> halvesOf(Slot slot) { return {halfOf(slot, 0), Half(3 * slot.n + 3)}; }
+/// Corner of a triangle that a vertex of it is at.
+inline constexpr int cornerOf(const Triangle& triangle, Vertex vertex) {
+  return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
+}
 inline const Triangle& triangleAt(const Mesh& mesh, Slot slot) { return mesh.triangles[slot]; }
 inline Point pointOf(const Mesh& mesh, Vertex vertex) { return mesh.points[vertex]; }
 inline Vertex startOf(const Mesh& mesh, Half half) {

@@ -30,24 +30,18 @@ bool moveVertex(Mesh& mesh, Vertex vertex, Point to, MoveLog& log) {
     suspects.push_back(halfOf(slot, next3(cornerOf(rim))));
   }
   movePoint(mesh, vertex, to, log.edits);
-  const std::size_t most = mostFlips(mesh);
-  while (!suspects.empty()) {
-    const Half half = suspects.back();
-    suspects.pop_back();
-    if (!flipWanted(mesh, half)) continue;
-    if (log.flips == most) {
-      undoMove(mesh, log);
-      return false;
-    }
+  const bool delaunay = flipWhileWanted(mesh, suspects, [&](Half half) {
     const Half diagonal = flipEdge(mesh, half, log.edits);
     ++log.flips;
-    const Half other = oppositeOf(mesh, diagonal);
-    for (const Half side : {diagonal, other}) {
+    for (const Half side : {diagonal, oppositeOf(mesh, diagonal)}) {
       const Slot slot = triangleOf(side);
       if (std::find(log.slots.begin(), log.slots.end(), slot) == log.slots.end()) log.slots.push_back(slot);
-      suspects.push_back(halfOf(triangleOf(side), next3(cornerOf(side))));
-      suspects.push_back(halfOf(triangleOf(side), prev3(cornerOf(side))));
     }
+    return diagonal;
+  });
+  if (!delaunay) {
+    undoMove(mesh, log);
+    return false;
   }
   for (const Slot slot : log.slots) {
     mesh.tested[slot] = 0;

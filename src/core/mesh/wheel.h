@@ -29,7 +29,7 @@ inline bool gather(const Mesh& mesh, Vertex vertex, Wheel& wheel) {
   Slot slot = first;
   do {
     const Triangle& t = triangleAt(mesh, slot);
-    const int corner = t.v[0] == vertex ? 0 : t.v[1] == vertex ? 1 : 2;
+    const int corner = cornerOf(t, vertex);
     const Half across = t.adj[next3(corner)];
     if (!across.exists()) return false;
     const Vertex rim = t.v[next3(corner)];

@@ -182,40 +182,24 @@ void patchAround(Workpiece& work, Slot slot, int rings, CurePatch& patch) {
 }
 
 PatchPenalty penaltyOf(Workpiece& work, std::span<const Vertex> patch, const CureAims& aims) {
-  const Mesh& mesh = work.mesh;
-  Ring& ring = work.room.ring;
-  work.room.seenSlots.begin(mesh.triangles.size());
   PatchPenalty penalty;
-  for (const Vertex v : patch) {
-    if (!gatherLinks(mesh, v, ring)) continue;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) {
-      const Slot slot = triangleOf(ring.rim[k]);
-      if (!work.room.seenSlots.take(slot)) continue;
-      const double own = penaltyOf(mesh, work.sizes, slot, aims.wanted);
-      if (own == 0.0) continue;
-      const double beyond = penaltyOf(mesh, work.sizes, slot, aims.slack);
-      if (beyond > 0.0 && !touchesSharpCorner(work, slot, aims)) penalty.beyond += beyond;
-      penalty.sum += own + kBeyondWeight * beyond;
-    }
-  }
+  forEachTriangleAround(work, patch, [&](Slot slot) {
+    const double own = penaltyOf(work.mesh, work.sizes, slot, aims.wanted);
+    if (own == 0.0) return;
+    const double beyond = penaltyOf(work.mesh, work.sizes, slot, aims.slack);
+    if (beyond > 0.0 && !touchesSharpCorner(work, slot, aims)) penalty.beyond += beyond;
+    penalty.sum += own + kBeyondWeight * beyond;
+  });
   return penalty;
 }
 
 Slot worstIn(Workpiece& work, std::span<const Vertex> patch, const CureAims& aims) {
-  const Mesh& mesh = work.mesh;
-  Ring& ring = work.room.ring;
-  work.room.seenSlots.begin(mesh.triangles.size());
   Slot worst;
   double most = 0.0;
-  for (const Vertex v : patch) {
-    if (!gatherLinks(mesh, v, ring)) continue;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) {
-      const Slot slot = triangleOf(ring.rim[k]);
-      if (!work.room.seenSlots.take(slot)) continue;
-      const double beyond = penaltyOf(mesh, work.sizes, slot, aims.slack);
-      if (beyond > most) most = beyond, worst = slot;
-    }
-  }
+  forEachTriangleAround(work, patch, [&](Slot slot) {
+    const double beyond = penaltyOf(work.mesh, work.sizes, slot, aims.slack);
+    if (beyond > most) most = beyond, worst = slot;
+  });
   return worst;
 }
 

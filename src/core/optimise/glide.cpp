@@ -75,8 +75,7 @@ class GlideSearch {
     std::vector<EdgeEnds> level;
     for (const Vertex v : front) {
       if (!gatherLinks(mesh, v, ring)) continue;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) {
-        const Half rim = ring.rim[k];
+      for (const Half rim : ring.rims()) {
         for (const Half half : {rim, halfOf(triangleOf(rim), prev3(cornerOf(rim)))}) {
           const int by = change(half);
           if (by > 0) continue;
@@ -139,16 +138,15 @@ bool smoothPatch(Workpiece& work, std::span<const Vertex> vertices) {
     for (const Vertex v : vertices) {
       if (mesh.vertexEdge[v].exists() || !gatherLinks(mesh, v, ring)) continue;
       Point sum;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k)
-        sum = sum + pointOf(mesh, ring.vertices[k]);
+      for (const Vertex other : ring.neighbours()) sum = sum + pointOf(mesh, other);
       mesh.points[v] = (1.0 / ring.count) * sum;
     }
   }
   for (const Vertex v : vertices) {
     if (!gatherLinks(mesh, v, ring)) return false;
     const double floor = kThinnest * work.sizes[v] * work.sizes[v];
-    for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) {
-      const Slot slot = triangleOf(ring.rim[k]);
+    for (const Half rim : ring.rims()) {
+      const Slot slot = triangleOf(rim);
       if (!(twiceArea(mesh, slot) > floor)) return false;
       noteTouched(mesh, slot);
     }
@@ -186,7 +184,6 @@ Glide glideFrom(Workpiece& work, Excess& excess, Vertex vertex) {
   const bool found = search.from(vertex);
   glide.searched = search.tried();
   if (!found) return glide;
-  glide.flips = static_cast<int>(search.corners.size() / 4);
   const std::size_t smoothed = verticesAround(work, search.corners, kSmoothedRings + 1, room.patch);
   const int sum = sumOver(excess, room.patch);
   glide.sumBefore = sum - search.lowered();

@@ -19,7 +19,6 @@ enum class GlideOutcome : std::uint8_t {
 
 struct Glide {
   GlideOutcome outcome = GlideOutcome::none;
-  int flips = 0;      // that led to the smaller sum
   int sumBefore = 0;  // of squared excesses in the patch
   int sumAfter = 0;
   int searched = 0;  // flips tried on the way

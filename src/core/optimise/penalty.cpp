@@ -172,7 +172,7 @@ double StarPenalty::triangles(Point hub) {
 template <bool withSlope>
 double StarPenalty::lengths(Point hub) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(ring_.spokes()); ++k) {
+  for (std::size_t k = 0; k < ring_.neighbours().size(); ++k) {
     const Point from = hub - ring_.at[k];
     const double scale = 1.0 / (wanted_[k] * wanted_[k]);
     const double part = squaredLength(from) * scale;

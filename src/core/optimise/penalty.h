@@ -33,7 +33,7 @@ class StarPenalty {
 
   /// 1e30 where a triangle turns over.
   double at(Point hub);
-  /// The same, with slope and curvature (Gauss-Newton) for stepFrom().
+  /// The same, with slope and curvature (Gauss-Newton) in the members below.
   double withSlopeAt(Point hub);
 
   Point slope;

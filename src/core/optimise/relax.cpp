@@ -113,7 +113,7 @@ void relaxPatch(Workpiece& work, std::span<const Vertex> vertices, const Penalty
         if (room.inPatch.has(next) && room.queued.take(next)) room.nextQueue.push_back(next);
       };
       put(v);
-      for (std::size_t k = 0; k < static_cast<std::size_t>(room.ring.spokes()); ++k) put(room.ring.vertices[k]);
+      for (const Vertex next : room.ring.neighbours()) put(next);
     }
     if (sweep >= kSweeps && sum > kStalls * last) return;
     last = sum;

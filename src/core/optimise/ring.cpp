@@ -1,38 +1,21 @@
 #include "core/optimise/ring.h"
 
+#include "core/mesh/edit.h"
+
 namespace triscope {
-namespace {
-
-int cornerAt(const Triangle& triangle, Vertex vertex) {
-  return triangle.v[0] == vertex ? 0 : triangle.v[1] == vertex ? 1 : 2;
-}
-
-// The first triangle of the star, counter-clockwise; any one of a star that is closed.
-Slot firstOf(const Mesh& mesh, Vertex hub) {
-  const Slot begun = mesh.vertexTriangle[hub];
-  if (!mesh.vertexEdge[hub].exists()) return begun;
-  Slot slot = begun;
-  for (;;) {
-    const Triangle& triangle = triangleAt(mesh, slot);
-    const Half across = triangle.adj[prev3(cornerAt(triangle, hub))];
-    if (!across.exists()) return slot;
-    slot = triangleOf(across);
-    if (slot == begun) return slot;
-  }
-}
-
-}  // namespace
 
 bool gatherLinks(const Mesh& mesh, Vertex hub, Ring& ring) {
   ring.count = 0;
   ring.closed = false;
   if (!mesh.vertexTriangle[hub].exists()) return false;
-  const Slot first = firstOf(mesh, hub);
+  // Where a star is closed it may begin anywhere.
+  const bool inner = !mesh.vertexEdge[hub].exists();
+  const Slot first = inner ? mesh.vertexTriangle[hub] : firstInStar(mesh, hub);
   Slot slot = first;
   for (;;) {
     if (ring.count == Ring::kMost) return false;
     const Triangle& triangle = triangleAt(mesh, slot);
-    const int corner = cornerAt(triangle, hub);
+    const int corner = cornerOf(triangle, hub);
     const auto k = static_cast<std::size_t>(ring.count++);
     ring.rim[k] = halfOf(slot, corner);
     ring.vertices[k] = triangle.v[next3(corner)];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/mesh/mesh.h"
 
@@ -21,8 +22,11 @@ struct Ring {
   std::array<Point, kMost + 1> at;
   std::array<double, kMost + 1> sizes;
 
-  /// Neighbours of the hub.
-  [[nodiscard]] int spokes() const { return closed ? count : count + 1; }
+  [[nodiscard]] std::span<const Half> rims() const { return {rim.data(), static_cast<std::size_t>(count)}; }
+  /// Of the hub, each once.
+  [[nodiscard]] std::span<const Vertex> neighbours() const {
+    return {vertices.data(), static_cast<std::size_t>(closed ? count : count + 1)};
+  }
 };
 
 /// False for a vertex that no triangle uses, or more than kMost do. Only the vertices and half-edges.

@@ -16,8 +16,8 @@ std::size_t verticesAround(Workpiece& work, std::span<const Vertex> seeds, int d
     const std::size_t to = found.size();
     for (; from < to; ++from) {
       if (!gatherLinks(work.mesh, found[from], ring)) continue;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(ring.spokes()); ++k)
-        if (seen.take(ring.vertices[k])) found.push_back(ring.vertices[k]);
+      for (const Vertex v : ring.neighbours())
+        if (seen.take(v)) found.push_back(v);
     }
   }
   return from;
@@ -25,14 +25,13 @@ std::size_t verticesAround(Workpiece& work, std::span<const Vertex> seeds, int d
 
 void noteRing(Mesh& mesh, const Ring& ring) {
   if (!mesh.touched) return;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) noteTouched(mesh, triangleOf(ring.rim[k]));
+  for (const Half rim : ring.rims()) noteTouched(mesh, triangleOf(rim));
 }
 
 void suspectStar(Workpiece& work, Vertex vertex) {
   Ring& ring = work.room.ring;
   if (!gatherLinks(work.mesh, vertex, ring)) return;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) {
-    const Half rim = ring.rim[k];
+  for (const Half rim : ring.rims()) {
     work.room.suspects.push_back(rim);
     work.room.suspects.push_back(halfOf(triangleOf(rim), next3(cornerOf(rim))));
   }

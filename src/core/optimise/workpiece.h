@@ -11,7 +11,7 @@
 
 namespace triscope {
 
-/// Per vertex, how many triangles it has beyond those that suit it best, as in core/mesh/degrees.h.
+/// Per vertex, how many triangles it has beyond those that suit it best; see excessOf().
 using Excess = Per<Vertex, std::int8_t>;
 
 /// An edge, however the triangles around it come to lie: the lower vertex first.
@@ -71,26 +71,29 @@ void noteRing(Mesh& mesh, const Ring& ring);
 /// All edges of the star, and of its rim, are suspected not to be Delaunay.
 void suspectStar(Workpiece& work, Vertex vertex);
 
+/// Calls visit(slot) once for each triangle that has one of the vertices.
+template <class Visit>
+void forEachTriangleAround(Workpiece& work, std::span<const Vertex> vertices, const Visit& visit) {
+  Ring& ring = work.room.ring;
+  work.room.seenSlots.begin(work.mesh.triangles.size());
+  for (const Vertex v : vertices) {
+    if (!gatherLinks(work.mesh, v, ring)) continue;
+    for (const Half rim : ring.rims())
+      if (work.room.seenSlots.take(triangleOf(rim))) visit(triangleOf(rim));
+  }
+}
+
 /// Flips until the suspects, and what comes of them, are Delaunay. `flipping(half)` is told of each edge before. All
 /// triangles are counter-clockwise. Returns how many flips that took.
 template <class Flipping>
 std::size_t flipSuspects(Workpiece& work, const Flipping& flipping) {
-  Mesh& mesh = work.mesh;
-  std::vector<Half>& suspects = work.room.suspects;
-  const std::size_t most = mostFlips(mesh);
   std::size_t flips = 0;
-  while (!suspects.empty() && flips < most) {
-    const Half half = suspects.back();
-    suspects.pop_back();
-    if (!flipWanted(mesh, half)) continue;
+  flipWhileWanted(work.mesh, work.room.suspects, [&](Half half) {
     flipping(half);
-    const Half diagonal = flipEdge(mesh, half, work.room.log);
     ++flips;
-    for (const Half side : {diagonal, oppositeOf(mesh, diagonal)})
-      for (const int corner : {next3(cornerOf(side)), prev3(cornerOf(side))})
-        suspects.push_back(halfOf(triangleOf(side), corner));
-  }
-  suspects.clear();
+    return flipEdge(work.mesh, half, work.room.log);
+  });
+  work.room.suspects.clear();
   return flips;
 }
 inline std::size_t flipSuspects(Workpiece& work) {

@@ -1,12 +1,9 @@
 // Stage "optimise", our own: the mesh that one takes home. Its passes smooth the vertices, bring dislocations to meet,
 // improve shapes, lead back what is beyond the aims of the dial, and edit around what that does not cure. Between two
 // passes the mesh is Delaunay.
-#include <algorithm>
 #include <array>
 
 #include "core/density/continuous_size.h"
-#include "core/mesh/centroid.h"
-#include "core/mesh/change_log.h"
 #include "core/method/stages/optimise_cure.h"
 #include "core/method/stages/optimise_parts.h"
 #include "core/method/stages/vertex_sizes.h"

@@ -12,10 +12,9 @@ namespace {
 constexpr std::uint32_t kEdits = 12;   // tried around a triangle
 constexpr std::uint32_t kFirsts = 10;  // of pairs
 constexpr std::uint32_t kSeconds = 10;
-constexpr int kRings = 3;          // relaxed around it
-constexpr double kBetter = 0.8;    // of the penalty before: at most so much is left by an edit that does not cure
-constexpr double kPatient = 1e-9;  // of the penalty beyond the slack
-constexpr double kPairPatient = 1e-6;
+constexpr int kRings = 3;              // relaxed around it
+constexpr double kBetter = 0.8;        // of the penalty before: at most so much is left by an edit that does not cure
+constexpr double kPairPatient = 1e-6;  // penalty of a triangle beyond the slack that is worth a pair
 constexpr std::size_t kPairPatients = 60;
 // What no edit can cure ends in bounded time: so many are tried in all, and one more for so many triangles.
 constexpr std::uint64_t kAllEdits = 2000;
@@ -94,22 +93,22 @@ void giveUp(Optimiser& o) {
 
 // What was given up near a patch may be worth another look now that the patch is another.
 void giveHopeAround(Optimiser& o, const CurePatch& patch) {
-  const Mesh& mesh = o.state.mesh;
-  OptimiserRoom& room = o.work.room;
-  verticesAround(o.work, patch.all, kRings + 2, room.patch);
-  for (const Vertex v : room.patch) {
-    if (!gatherLinks(mesh, v, room.ring)) continue;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(room.ring.count); ++k) {
-      const Slot slot = triangleOf(room.ring.rim[k]);
-      if (o.ahead.hopeless.has(slot)) o.ahead.hopeless[slot] = {};
-    }
-  }
+  std::vector<Vertex>& around = o.work.room.patch;
+  verticesAround(o.work, patch.all, kRings + 2, around);
+  forEachTriangleAround(o.work, around, [&](Slot slot) {
+    if (o.ahead.hopeless.has(slot)) o.ahead.hopeless[slot] = {};
+  });
 }
 
-// The next triangle that is beyond the aims; false when there is none.
-bool nextPatient(Optimiser& o, double beyond, const CureAims& aims, CurePatch& patch, int rings) {
+// The patch around the patient at hand, or around the next triangle that is beyond the aims, with the edits to try
+// there; false when there is none.
+bool takePatient(Optimiser& o, double beyond, const CureAims& aims, int rings, CurePatch& patch) {
   Optimising& ahead = o.ahead;
   const Mesh& mesh = o.state.mesh;
+  if (ahead.cure.patient.exists()) {
+    patchAround(o.work, ahead.cure.patient, rings, patch);
+    return true;
+  }
   while (o.state.cursor.index < ahead.bad.size()) {
     const Slot slot = ahead.bad[o.state.cursor.index++];
     if (!mesh.alive(slot) || isHopeless(ahead, mesh, slot)) continue;
@@ -118,6 +117,8 @@ bool nextPatient(Optimiser& o, double beyond, const CureAims& aims, CurePatch& p
     ahead.cure.patient = slot;
     patchAround(o.work, slot, rings, patch);
     ahead.cure.before = penaltyOf(o.work, patch.all, aims).sum;
+    ahead.edits.clear();
+    collectEdits(o.work, slot, ahead.edits);
     return true;
   }
   return false;
@@ -171,7 +172,7 @@ void beginCure(Optimiser& o) {
   for (const Slot slot : mesh.triangles.keys()) {
     if (!mesh.alive(slot)) continue;
     const double beyond = penaltyOf(mesh, o.state.sizes, slot, aims.slack);
-    if (beyond > kPatient) bad.push_back({beyond, slot});
+    if (beyond > kCured) bad.push_back({beyond, slot});
   }
   std::ranges::sort(bad, {}, [](const Bad& b) { return std::pair(-b.beyond, b.slot); });
   for (const Bad& one : bad) ahead.bad.push_back(one.slot);
@@ -193,15 +194,9 @@ Outcome runCure(Optimiser& o) {
   const CureAims aims = cureAimsFor(aimsOf(o.state.settings));
   CurePatch patch;
   for (;;) {
-    if (!cure.patient.exists()) {
-      if (!nextPatient(o, kPatient, aims, patch, kRings)) return Outcome::done;
-      ahead.edits.assign(1, CureEdit{});  // to relax the patch comes first
-      std::vector<CureEdit> edits;
-      collectEdits(o.work, cure.patient, edits);
-      ahead.edits.insert(ahead.edits.end(), edits.begin(), edits.end());
-    } else {
-      patchAround(o.work, cure.patient, kRings, patch);
-    }
+    const bool isNew = !cure.patient.exists();
+    if (!takePatient(o, kCured, aims, kRings, patch)) return Outcome::done;
+    if (isNew) ahead.edits.insert(ahead.edits.begin(), CureEdit{});  // to relax the patch comes first
     const std::uint64_t most = kAllEdits + o.state.mesh.liveCount() / kTrianglesAnEdit;
     while (cure.first < ahead.edits.size() && cure.tried < kEdits && ahead.tried < most) {
       const std::uint32_t number = cure.first++;
@@ -230,13 +225,7 @@ Outcome runCurePairs(Optimiser& o) {
   const CureAims aims = cureAimsFor(aimsOf(o.state.settings));
   CurePatch patch;
   for (;;) {
-    if (!cure.patient.exists()) {
-      if (!nextPatient(o, kPairPatient, aims, patch, kRings + 1)) return Outcome::done;
-      ahead.edits.clear();
-      collectEdits(o.work, cure.patient, ahead.edits);
-    } else {
-      patchAround(o.work, cure.patient, kRings + 1, patch);
-    }
+    if (!takePatient(o, kPairPatient, aims, kRings + 1, patch)) return Outcome::done;
     const std::uint64_t most = kAllPairs + o.state.mesh.liveCount() / kTrianglesAPair;
     while (cure.first < ahead.edits.size() && cure.firsts < kFirsts && ahead.tried < most) {
       const std::uint32_t first = cure.first, second = cure.second++;

@@ -48,7 +48,7 @@ Outcome decideMoved(Optimiser& o, const Moved& move) {
 }
 
 void wakeAround(Optimiser& o, const Ring& ring) {
-  for (std::size_t k = 0; k < static_cast<std::size_t>(ring.count); ++k) o.ahead.still[ring.vertices[k]] = 0;
+  for (const Vertex v : ring.neighbours()) o.ahead.still[v] = 0;
 }
 
 Outcome runSmoothing(Optimiser& o, Rule rule, SmoothRule stepOf) {
@@ -119,7 +119,7 @@ bool isGone(const Mesh& mesh, Vertex vertex) { return mesh.kinds[vertex] == Vert
 
 void recordTouched(Optimiser& o, const EditReport& report, const EditMark& before) {
   const Mesh& mesh = o.state.mesh;
-  const auto eventOf = [&](EventKind kind, Vertex vertex) {
+  const auto about = [&](EventKind kind, Vertex vertex) {
     Event event = eventIn(o.state, kind, report.rule);
     event.subject = report.subject.n;
     event.vertex = vertex.word();
@@ -128,7 +128,7 @@ void recordTouched(Optimiser& o, const EditReport& report, const EditMark& befor
   };
   for (Vertex v(before.allVertices); mesh.points.has(v); ++v) {
     const bool border = mesh.vertexEdge[v].exists();
-    Event event = eventOf(border ? EventKind::edge_split : EventKind::vertex_inserted, v);
+    Event event = about(border ? EventKind::edge_split : EventKind::vertex_inserted, v);
     if (border) {
       event.other = report.subject.n;
       event.subject = mesh.vertexEdge[v].word();
@@ -138,10 +138,21 @@ void recordTouched(Optimiser& o, const EditReport& report, const EditMark& befor
   forEachSaved(o, before, [&](const EditLog::SavedVertex& saved) {
     const bool gone = isGone(mesh, saved.vertex);
     if (!gone && pointOf(mesh, saved.vertex) == saved.at) return;
-    Event event = eventOf(gone ? EventKind::vertex_removed : EventKind::vertex_moved, saved.vertex);
+    Event event = about(gone ? EventKind::vertex_removed : EventKind::vertex_moved, saved.vertex);
     event.from = saved.at;
     o.journal.record(event);
   });
+}
+
+Event eventOf(const Optimiser& o, EventKind kind, const EditReport& report) {
+  Event event = eventIn(o.state, kind, report.rule);
+  event.refusal = report.refusal;
+  event.subject = report.subject.n;
+  event.vertex = report.vertex.word();
+  event.at = report.at;
+  event.measured = report.measured;
+  event.limit = report.limit;
+  return event;
 }
 
 }  // namespace
@@ -234,7 +245,7 @@ Outcome runRelax(Optimiser& o) {
     if (step.to == from) continue;
     if (step.moved && gatherLinks(state.mesh, vertex, ring)) {
       queueNext(o, vertex);
-      for (std::size_t k = 0; k < static_cast<std::size_t>(ring.spokes()); ++k) queueNext(o, ring.vertices[k]);
+      for (const Vertex v : ring.neighbours()) queueNext(o, v);
     }
     return decideMoved(o, {.rule = Rule::relax,
                            .vertex = vertex,
@@ -260,12 +271,7 @@ Outcome decideKept(Optimiser& o, const EditReport& report, const EditMark& befor
   });
   if (o.journal.listening()) {
     recordTouched(o, report, before);
-    Event event = eventIn(state, EventKind::edit_kept, report.rule);
-    event.subject = report.subject.n;
-    event.vertex = report.vertex.word();
-    event.at = report.at;
-    event.measured = report.measured;
-    event.limit = report.limit;
+    Event event = eventOf(o, EventKind::edit_kept, report);
     if (mesh.nextId > before.nextId) {
       event.created = before.nextId.n;
       event.createdCount = mesh.nextId.n - before.nextId.n;
@@ -280,18 +286,8 @@ Outcome decideKept(Optimiser& o, const EditReport& report, const EditMark& befor
 }
 
 Outcome decideUndone(Optimiser& o, const EditReport& report) {
-  MeshState& state = o.state;
-  ++state.counts[state.stage].refused;
-  if (o.journal.listening()) {
-    Event event = eventIn(state, EventKind::edit_undone, report.rule);
-    event.refusal = report.refusal;
-    event.subject = report.subject.n;
-    event.vertex = report.vertex.word();
-    event.at = report.at;
-    event.measured = report.measured;
-    event.limit = report.limit;
-    o.journal.record(event);
-  }
+  ++o.state.counts[o.state.stage].refused;
+  if (o.journal.listening()) o.journal.record(eventOf(o, EventKind::edit_undone, report));
   return Outcome::decided;
 }
 
