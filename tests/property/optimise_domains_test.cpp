@@ -17,24 +17,24 @@ namespace {
 using support::Random;
 using support::Shape;
 
-struct Tally {
+struct Leftovers {
   std::size_t meshes = 0;
   std::size_t withObtuse = 0;
   std::size_t obtuse = 0;
 };
 
-void optimise(const support::DomainPtr& domain, const Settings& settings, Tally& tally) {
+void optimise(const support::DomainPtr& domain, const Settings& settings, Leftovers& left) {
   const MeshState state = support::finished(domain, settings);
   ASSERT_FALSE(state.failed);
   const double unit = std::max({std::fabs(domain->bounds.lo.x), std::fabs(domain->bounds.hi.y), 0.0}) * 0x1p-52;
   support::expectValid(state.mesh);
   support::expectFollowsDomain(state, 8.0 * unit / std::min(domain->bounds.width(), domain->bounds.height()) + 1e-12);
   const Quality q = measure(state.mesh);
-  ++tally.meshes;
+  ++left.meshes;
   // Coarse meshes of a few triangles have no room to be better.
   constexpr std::size_t kRoom = 20;
-  tally.withObtuse += q.obtuse > 0 && q.triangles >= kRoom ? 1 : 0;
-  tally.obtuse += q.obtuse;
+  left.withObtuse += q.obtuse > 0 && q.triangles >= kRoom ? 1 : 0;
+  left.obtuse += q.obtuse;
 }
 
 class OptimisedDomains : public testing::TestWithParam<int> {};
@@ -42,21 +42,21 @@ class OptimisedDomains : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Shapes, OptimisedDomains, testing::Range(0, support::kShapes));
 
 TEST_P(OptimisedDomains, HaveNoObtuseTriangleFromRows) {
-  Tally tally;
+  Leftovers left;
   for (std::uint64_t seed = 1; seed <= 250; ++seed) {
     Random random{seed};
     const std::string text =
         support::randomDomain(random, static_cast<Shape>(GetParam()), support::randomSizeAndPlace(random));
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + text);
-    optimise(support::domainFrom(text), support::best(), tally);
+    optimise(support::domainFrom(text), support::best(), left);
     if (HasFatalFailure()) return;
   }
-  EXPECT_EQ(tally.withObtuse, 0u) << "of " << tally.meshes << " meshes";
-  EXPECT_LE(tally.obtuse, 4u);
+  EXPECT_EQ(left.withObtuse, 0u) << "of " << left.meshes << " meshes";
+  EXPECT_LE(left.obtuse, 4u);
 }
 
 TEST_P(OptimisedDomains, StayValidWhateverIsAskedFor) {
-  Tally tally;
+  Leftovers left;
   for (std::uint64_t seed = 1001; seed <= 1060; ++seed) {
     Random random{seed};
     const std::string text =
@@ -68,7 +68,7 @@ TEST_P(OptimisedDomains, StayValidWhateverIsAskedFor) {
     settings.lowestAngle = random.below(3) == 0 ? random.between(1.0, 55.0) : 0.0;
     settings.highestAngle = random.below(3) == 0 ? random.between(61.0, 120.0) : 0.0;
     settings.areaRatio = random.below(3) == 0 ? random.between(1.0, 3.0) : 0.0;
-    optimise(support::domainFrom(text), settings, tally);
+    optimise(support::domainFrom(text), settings, left);
     if (HasFatalFailure()) return;
   }
 }

@@ -54,14 +54,14 @@ void expectPromise(std::uint64_t seed, Shape shape, Tally& tally) {
   tally.obtuse += q.obtuse;
 }
 
-std::string nameOf(const testing::TestParamInfo<int>& info) {
+std::string shapeName(const testing::TestParamInfo<int>& info) {
   constexpr std::array names = {"star", "round", "perforated", "cracked"};
   return names[static_cast<std::size_t>(info.param)];
 }
 
 class RandomDomains : public testing::TestWithParam<int> {};
 
-INSTANTIATE_TEST_SUITE_P(Shapes, RandomDomains, testing::Range(0, support::kShapes), nameOf);
+INSTANTIATE_TEST_SUITE_P(Shapes, RandomDomains, testing::Range(0, support::kShapes), shapeName);
 
 TEST_P(RandomDomains, KeepEveryPromise) {
   Tally tally;

@@ -15,13 +15,12 @@ namespace {
 
 using namespace std::chrono_literals;
 using support::domainAt;
-using support::samples;
 
 /// A finished run.
 struct FinishedRun {
   Session session;
   explicit FinishedRun(const Settings& settings) {
-    session.apply(command::Load{domainAt(samples() / "annulus.json"), settings, {}});
+    session.apply(command::Load{domainAt(support::samples() / "annulus.json"), settings, {}});
     EXPECT_TRUE(session.settle(60s));
   }
   [[nodiscard]] const EventLog& events() const { return session.runEvents(); }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/predicates.h"
+#include "core/mesh/centroid.h"
 #include "core/mesh/edit.h"
 #include "support/meshes.h"
 #include "support/runs.h"
@@ -21,11 +22,6 @@ bool holds(const Mesh& mesh, Slot slot, Point p) {
     if (orient2d(pointOf(mesh, v[i]), pointOf(mesh, v[(i + 1) % 3]), p) < 0) return false;
   }
   return true;
-}
-
-Point centroid(const Mesh& mesh, Slot slot) {
-  const auto& v = triangleAt(mesh, slot).v;
-  return (1.0 / 3.0) * (pointOf(mesh, v[0]) + pointOf(mesh, v[1]) + pointOf(mesh, v[2]));
 }
 
 std::vector<Point> probesOf(const Mesh& mesh, Random& random) {
@@ -61,8 +57,8 @@ TEST_P(Walk, StraightEndsInATriangleThatHoldsThePoint) {
   const std::vector<Slot> live = support::liveSlots(mesh);
   for (const Point p : probesOf(mesh, random)) {
     const Slot from = live[random.below(live.size())];
-    if (!holds(mesh, from, centroid(mesh, from))) continue;  // the centroid of a sliver may be rounded out of it
-    const Location location = walkStraight(mesh, from, centroid(mesh, from), p);
+    if (!holds(mesh, from, centroidOf(mesh, from))) continue;  // the centroid of a sliver may be rounded out of it
+    const Location location = walkStraight(mesh, from, centroidOf(mesh, from), p);
     EXPECT_EQ(location.blocked, Half());
     EXPECT_TRUE(holds(mesh, location.triangle, p)) << p.x << ", " << p.y;
   }
@@ -73,7 +69,7 @@ TEST(WalkOut, IsBlockedByTheSideInBetween) {
   const Mesh mesh = support::triangulationOf(support::randomPoints(random, 40, {0, 0}, {1, 1}));
   for (const Point p : {Point{9, 0.5}, Point{-9, 0.5}, Point{0.5, 9}, Point{0.5, -9}}) {
     for (const Location location :
-         {walkTo(mesh, 0_slot, p), walkStraight(mesh, mesh.lastTriangle, centroid(mesh, mesh.lastTriangle), p)}) {
+         {walkTo(mesh, 0_slot, p), walkStraight(mesh, mesh.lastTriangle, centroidOf(mesh, mesh.lastTriangle), p)}) {
       ASSERT_TRUE(location.blocked.exists());
       EXPECT_EQ(triangleOf(location.blocked), location.triangle);
       EXPECT_TRUE(constrained(mesh, location.blocked));
@@ -93,7 +89,7 @@ TEST(WalkInADomain, StraightStopsAtTheFirstBoundaryEdgeOnTheWay) {
   int blocked = 0;
   for (int k = 0; k < 2000; ++k) {
     const Slot start = live[random.below(live.size())];
-    const Point from = centroid(mesh, start);
+    const Point from = centroidOf(mesh, start);
     const Point p{random.between(-0.5, 8.5), random.between(-0.5, 8.5)};
     EdgeId first;
     double least = 2.0;

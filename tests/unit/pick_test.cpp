@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/predicates.h"
+#include "core/mesh/centroid.h"
 #include "sample_states.h"
 #include "support/ids.h"
 
@@ -17,17 +18,12 @@ const MeshState& meshed() {
   return state;
 }
 
-Point centroid(const Mesh& mesh, Slot slot) {
-  const Triangle& t = triangleAt(mesh, slot);
-  return (1.0 / 3.0) * (pointOf(mesh, t.v[0]) + pointOf(mesh, t.v[1]) + pointOf(mesh, t.v[2]));
-}
-
 TEST(Pick, VertexComesBeforeEdgeBeforeTriangle) {
   const Mesh& mesh = meshed().mesh;
   for (const Slot slot : mesh.triangles.keys()) {
     if (!mesh.alive(slot)) continue;
     const Triangle& t = triangleAt(mesh, slot);
-    const Pick inside = pick(meshed(), centroid(mesh, slot), 1e-3);
+    const Pick inside = pick(meshed(), centroidOf(mesh, slot), 1e-3);
     EXPECT_EQ(inside.selection, (Selection{Kind::triangle, slot.n, -1}));
     EXPECT_EQ(inside.id, idOf(mesh, slot).word());
     const Pick corner = pick(meshed(), pointOf(mesh, t.v[0]) + Point{5e-4, 0.0}, 1e-3);
