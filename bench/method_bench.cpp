@@ -72,7 +72,7 @@ void airfoilHistory(benchmark::State& bench) {
     log = {};
     TimedRun run;
     const double start = processorSeconds();
-    MeshState state = beginOrThrow(domain, Settings{});
+    MeshState state = beginOrThrow(domain);
     if (bench.range(0) < 2) {
       Journal journal;
       if (bench.range(0) == 1) journal.events = &all;

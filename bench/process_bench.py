@@ -47,7 +47,7 @@ def main():
         rows = []
         for path in files:
             mesh, report = folder / "x.msh", folder / "report.json"
-            seconds, peak = least([program, "mesh", str(path), "-q", "-o", str(mesh), "--report", str(report)], runs)
+            seconds, peak = least([program, "mesh", str(path), "-q", "--set", "optimise=off", "-o", str(mesh), "--report", str(report)], runs)
             check, _ = least([program, "check", str(mesh)], runs)
             told = json.loads(report.read_text(encoding="utf-8"))
             rows.append({"name": path.stem.split("_")[0] if path.parent == folder else path.stem,

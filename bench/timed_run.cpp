@@ -36,7 +36,9 @@ std::shared_ptr<const Domain> domainAt(const std::string& file) {
   return std::make_shared<const Domain>(std::move(*read));
 }
 
-MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settings& settings) {
+MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain) {
+  Settings settings;
+  settings.optimise = false;
   Result<MeshState> state = begin(domain, settings);
   if (!state.ok()) throw std::runtime_error(describe(state.error()));
   return std::move(*state);
@@ -45,7 +47,7 @@ MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settin
 TimedRun runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal& journal) {
   TimedRun run;
   const double start = processorSeconds();
-  MeshState state = beginOrThrow(domain, Settings{});
+  MeshState state = beginOrThrow(domain);
   double before = processorSeconds();
   std::optional<double> missed = cacheMisses();
   run.missesCounted = missed.has_value();

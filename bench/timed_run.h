@@ -26,7 +26,7 @@ struct TimedRun {
 };
 
 std::shared_ptr<const Domain> domainAt(const std::string& file);
-MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain, const Settings& settings);
+MeshState beginOrThrow(const std::shared_ptr<const Domain>& domain);
 
 /// The method until `last` is over for good, each stage timed.
 TimedRun runThrough(const std::shared_ptr<const Domain>& domain, Stage last, Journal& journal);

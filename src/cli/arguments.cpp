@@ -207,7 +207,8 @@ CLI::App& addDebug(CLI::App& app, DebugCommand& options, Texts& texts) {
 }
 
 CLI::App& addSweep(CLI::App& app, SweepCommand& options, Texts& texts) {
-  CLI::App& sweep = *app.add_subcommand("sweep", "Run step 6 for every pair of omega and theta, and print a table");
+  CLI::App& sweep = *app.add_subcommand(
+      "sweep", "Run step 6 for every pair of omega and theta, not optimised after it, and print a table");
   sweep.add_option("DOMAIN", options.domain, "Domain file")->required()->type_name("");
   addSet(sweep, texts);
   sweep.add_option("--omega", options.omega, "Values of omega, such as 0.05:0.25:5")

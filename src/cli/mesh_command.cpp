@@ -7,6 +7,7 @@
 #include "cli/messages.h"
 #include "cli/outputs.h"
 #include "core/base/output_set.h"
+#include "core/explain/aim_text.h"
 #include "core/explain/bound_text.h"
 #include "core/explain/undercut_text.h"
 #include "core/io/report.h"
@@ -36,6 +37,9 @@ void summarise(const MeshState& state, const Quality& quality, double seconds) {
   if (!isPastRounds(state.stage)) return;
   for (const WorstMeasure& worst : worstOf(quality))
     if (!worst.met()) say("note: {}\n", unmetText(state.mesh, quality, worst));
+  if (const std::vector<std::string> aims = unmetAimTexts(state, quality); !aims.empty())
+    say("note: short of what the dial asks for: {}\n", fmt::join(aims, "; "));
+  if (const std::string obtuse = obtuseText(state, quality); !obtuse.empty()) say("note: {}\n", obtuse);
   if (const std::string undercut = undercutText(state, quality); !undercut.empty()) say("note: {}\n", undercut);
 }
 

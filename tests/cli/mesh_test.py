@@ -138,7 +138,7 @@ class Limit(program.ProgramTest):
             for length in (0.0007, 0.001, 0.0021):
                 domain = {"outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "min_edge_length": 0.0005,
                           "density": [{"box": [[0.1, 0.1], [0.1 + box, 0.1 + box]], "length": length}]}
-                command = ("mesh", "-q", "-o", self.path("a.msh"), "--max-triangles", str(most))
+                command = ("mesh", "-q", "--set", "optimise=off", "-o", self.path("a.msh"), "--max-triangles", str(most))
                 error = self.expect(BAD_DATA, run(*command, self.write("d.json", json.dumps(domain)))).stderr
                 domain["density"][0]["length"] = float(re.search(r"ask for edges of (\S+) or longer", error)[1])
                 self.expect(OK, run(*command, self.write("d.json", json.dumps(domain))))
@@ -204,12 +204,21 @@ class Bounds(program.ProgramTest):
         domain = self.write("d.json", json.dumps({"outer": outer}))
         error = self.expect(OK, run("mesh", domain, "-o", self.path("a.msh"), "--report", self.path("r.json"))).stderr
         report = json.loads((self.folder / "r.json").read_text())
-        notes = [line for line in error.splitlines() if line.startswith("note: ")]
+        notes = [line for line in error.splitlines() if line.startswith("note: ") and " dial " not in line]
         self.assertEqual(report["bounds_met"], not notes)
         return notes
 
     def test_no_note_where_all_are_met(self):
         self.assertEqual(self.notes([[0, 0], [4, 0], [4, 3], [0, 3]]), [])
+
+    def test_what_the_dial_asks_for_is_no_bound(self):
+        """Short of it, the mesh is told of in one line, with what stands in the way."""
+        path = self.write("d.json", json.dumps({"outer": [[0, 0], [12, 0], [12, 8.4]], "min_edge_length": 0.3}))
+        error = self.expect(OK, run("mesh", path, "-o", self.path("a.msh"))).stderr
+        self.assertIn("note: short of what the dial asks for: smallest angle 35.0, not 44, at the input angle of 35.0° at (0, 0)",
+                      error)
+        self.assertEqual(error.count("note: "), 1)
+        self.assertNotIn("note: ", self.expect(OK, run("mesh", path, "-o", self.path("a.msh"), "--set", "optimise=off")).stderr)
 
     def test_an_input_angle_excuses(self):
         notes = self.notes([[0, 0], [4, 0], [4, 1]])
@@ -238,12 +247,12 @@ class Undercut(program.ProgramTest):
 
     OUTER = [[0, 0], [4, 0], [4, 3], [0.05, 3], [0, 2.95]]  # its last corner is cut off by an edge of 0.07
 
-    def error(self, **domain):
+    def error(self, *options, **domain):
         path = self.write("d.json", json.dumps({"outer": self.OUTER, **domain}))
-        return self.expect(OK, run("mesh", path, "--report", self.path("r.json"))).stderr
+        return self.expect(OK, run("mesh", path, *options, "--report", self.path("r.json"))).stderr
 
     def test_a_shorter_kept_edge_is_named(self):
-        self.assertRegex(self.error(min_edge_length=0.08),
+        self.assertRegex(self.error("--set", "optimise=off", min_edge_length=0.08),
                          r"note: the shortest edge, 0\.07071 at \(0\.025, 2\.975\), is below the min_edge_length given, "
                          r"0\.08: it is a piece of 'outer'")
 
@@ -251,8 +260,13 @@ class Undercut(program.ProgramTest):
         self.assertRegex(self.error(min_edge_length=0.5), r"note: the shortest edge, 0\.\d+ at .* given, 0\.5: it is near ")
 
     def test_nothing_is_said_where_none_is_shorter(self):
-        self.assertNotIn("note: the shortest edge", self.error(min_edge_length=0.07))
+        self.assertNotIn("note: the shortest edge", self.error("--set", "optimise=off", min_edge_length=0.07))
         self.assertGreaterEqual(json.loads((self.folder / "r.json").read_text())["min_edge_length"], 0.07)
+
+    def test_optimised_only_one_below_half_of_it(self):
+        """Edges as long as is wanted on the whole are partly shorter."""
+        self.assertNotIn("note: the shortest edge", self.error(min_edge_length=0.08))
+        self.assertIn("note: the shortest edge, 0.07071 at", self.error(min_edge_length=0.15))
 
     def test_nothing_is_said_of_a_derived_length(self):
         self.assertNotIn("note: the shortest edge", self.error())

@@ -20,7 +20,7 @@ class Sweep(program.ProgramTest):
         self.assertEqual([(r["omega"], r["theta_deg"]) for r in rows],
                          [("0.05", "5"), ("0.05", "10"), ("0.15", "5"), ("0.15", "10"), ("0.25", "5"), ("0.25", "10")])
         for row in rows[1::2]:
-            self.expect(OK, run("mesh", STEP, "-q", "--report", self.path("r.json"), "--set", f"omega={row['omega']}",
+            self.expect(OK, run("mesh", STEP, "-q", "--until", "refine", "--report", self.path("r.json"), "--set", f"omega={row['omega']}",
                                 "--set", f"theta={row['theta_deg']}"))
             report = json.loads((self.folder / "r.json").read_text())
             for key in ("triangles", "vertices", "aspect_ratio_max", "aspect_ratio_mean", "area_ratio_max",

@@ -6,7 +6,7 @@
 #include "support/judge.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::bounds_elsewhere_test {
 namespace {
 
 using support::BoundsCase;
@@ -52,4 +52,4 @@ TEST(EveryDomain, GivesAValidMesh) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::bounds_elsewhere_test

@@ -11,7 +11,7 @@
 #include "support/random_domains.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::edits_test {
 namespace {
 
 using support::Random;
@@ -73,4 +73,4 @@ TEST(RandomEdits, StayDelaunayOnALattice) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::edits_test

@@ -11,7 +11,7 @@
 #include "support/random_domains.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::optimise_domains_test {
 namespace {
 
 using support::Random;
@@ -74,4 +74,4 @@ TEST_P(OptimisedDomains, StayValidWhateverIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::optimise_domains_test

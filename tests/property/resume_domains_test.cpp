@@ -4,7 +4,7 @@
 #include "support/random_domains.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::resume_domains_test {
 namespace {
 
 using support::Random;
@@ -36,4 +36,4 @@ TEST(ResumeRandomDomains, CopiesEndInTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::resume_domains_test

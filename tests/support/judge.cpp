@@ -122,9 +122,9 @@ void expectFollowsDomain(const MeshState& state, double areaTolerance) {
       << "area " << static_cast<double>(area);
 }
 
-void expectNoShortEdge(const MeshState& state) {
+void expectNoShortEdge(const MeshState& state, double part) {
   if (state.minEdgeDerived) return;
-  const double floor = std::min(state.minEdge, shortestUnavoidableEdge(*state.domain));
+  const double floor = part * std::min(state.minEdge, shortestUnavoidableEdge(*state.domain));
   EXPECT_GE(measure(state.mesh).minEdge, floor * (1.0 - 1e-9));
 }
 

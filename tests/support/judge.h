@@ -17,8 +17,8 @@ void expectValid(const Mesh& mesh);
 /// the larger part of it given.
 void expectFollowsDomain(const MeshState& state, double areaTolerance = 1e-12);
 
-/// No edge is shorter than a Δx that was given, unless the domain itself asks for shorter ones.
-void expectNoShortEdge(const MeshState& state);
+/// No edge is shorter than that part of a Δx that was given, or of a shorter one that the domain itself asks for.
+void expectNoShortEdge(const MeshState& state, double part = 1.0);
 
 /// Area of the mesh, and of the domain when its curves are lines, in extended precision about the domain's corner.
 long double areaOf(const MeshState& state);

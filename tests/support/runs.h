@@ -17,9 +17,16 @@ inline MeshState start(const DomainPtr& domain, const Settings& settings = {}) {
   return *state;
 }
 
-/// Everything but step 6.
-inline Settings withoutStep6() {
+/// Steps 1 to 6: the run ends where the paper's does.
+inline Settings withoutOptimiser() {
   Settings settings;
+  settings.optimise = false;
+  return settings;
+}
+
+/// Steps 1 to 5.
+inline Settings withoutStep6() {
+  Settings settings = withoutOptimiser();
   settings.laplacian = settings.reduceObtuse = settings.sharedEdge = settings.polish = false;
   return settings;
 }

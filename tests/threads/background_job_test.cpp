@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-namespace triscope {
+namespace triscope::background_job_test {
 namespace {
 
 std::optional<Status> outcomeOf(BackgroundJob& job) {
@@ -57,4 +57,4 @@ TEST(BackgroundJob, IsWaitedForWhereNobodyAsks) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::background_job_test

@@ -9,7 +9,7 @@
 
 #include "support/session_driver.h"
 
-namespace triscope {
+namespace triscope::session_memory_test {
 namespace {
 
 /// While it lives the process may take so many bytes more than it has.
@@ -97,4 +97,4 @@ TEST(SessionMemory, AChangeThatDoesNotFitLeavesTheRunFromBefore) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::session_memory_test

@@ -5,7 +5,7 @@
 #include "support/domains.h"
 #include "support/wave.h"
 
-namespace triscope {
+namespace triscope::session_search_test {
 namespace {
 
 // Seconds of looking for Δx: the command that waits is not kept waiting for them.
@@ -67,4 +67,4 @@ TEST(SessionSearch, CancelsWhileConstraintsAreLookedFor) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::session_search_test

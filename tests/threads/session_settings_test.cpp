@@ -4,7 +4,7 @@
 
 #include "support/session_driver.h"
 
-namespace triscope {
+namespace triscope::session_settings_test {
 namespace {
 
 TEST(SessionSettings, AChangeOfSettingsGivesTheMeshOfAFreshRun) {
@@ -21,6 +21,21 @@ TEST(SessionSettings, AChangeOfSettingsGivesTheMeshOfAFreshRun) {
   EXPECT_EQ(hashOf(doNow(session, command::Change{settings}).state), hashOf(straightRun(domain, settings, nullptr)));
   settings.laplacian = true;
   EXPECT_EQ(hashOf(doNow(session, command::Change{settings}).state), hashOf(straightRun(domain, settings, nullptr)));
+}
+
+TEST(SessionSettings, WhereAStageBeginsAnotherMeshIsSeenThereToo) {
+  const auto domain = square(0.5);
+  Session session;
+  doNow(session, command::OpenDomain{domain});
+  doNow(session, command::GoTo{Stage::optimise});
+  Settings settings = session.settings();
+  for (const double omega : {0.05, 0.25}) {
+    settings.omega = omega;
+    const Snapshot& now = doNow(session, command::Change{settings});
+    EXPECT_EQ(hashOf(now.state), hashOf(support::after(domain, Stage::refine, settings)));
+  }
+  settings.optimise = false;
+  EXPECT_EQ(doNow(session, command::Change{settings}).state.stage, Stage::finished) << "it begins no more";
 }
 
 TEST(SessionSettings, AChangeWithNoDomainOpenIsForTheNextOne) {
@@ -196,4 +211,4 @@ TEST(SessionSettings, SaysWhichParametersAnotherDomainKeeps) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::session_settings_test

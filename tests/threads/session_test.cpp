@@ -10,7 +10,7 @@
 #include "core/run/quality_trace.h"
 #include "support/session_driver.h"
 
-namespace triscope {
+namespace triscope::session_test {
 namespace {
 
 TEST(Session, MeshesToTheEndLikeThePipeline) {
@@ -161,7 +161,7 @@ TEST(Session, ADecisionBelongsToTheStageThatIsShownThere) {
       const Snapshot& there = doNow(session, command::Seek{tick});
       const StageEntry* const entry = entryOfDecision(record, tick);
       EXPECT_EQ(entry->stage, there.last->stage) << tick;
-      if (entry->stage != Stage::refine) {  // its passes are no entries
+      if (entry->stage < Stage::refine) {  // passes are no entries
         EXPECT_EQ(entry->round, there.last->round) << tick;
       }
     }
@@ -309,4 +309,4 @@ TEST(Session, TellsTheFirstViolationInWords) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::session_test

@@ -12,7 +12,7 @@
 #include "support/ids.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::assert_test {
 namespace {
 
 using support::operator""_edge, support::operator""_half, support::operator""_id, support::operator""_slot,
@@ -83,4 +83,4 @@ TEST(AssertDeathTest, HeavyChecksAreMadeWhereTheyAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::assert_test

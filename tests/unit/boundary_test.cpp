@@ -11,7 +11,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::boundary_test {
 namespace {
 
 using support::operator""_v;
@@ -177,4 +177,4 @@ TEST(Recovery, SplitsWhatTheTriangulationLacks) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::boundary_test

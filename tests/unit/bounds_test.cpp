@@ -10,7 +10,7 @@
 #include "support/judge.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::bounds_test {
 namespace {
 
 using support::BoundsCase;
@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(TestData, SampleDomains,
 
 // Paper, section 5, its first example: 3.78 / 2.39 / 1.94 and 74 obtuse with step 6.
 TEST(PaperFigures, BluntBodyIsAtLeastAsGood) {
-  const MeshState state = support::finished(support::domainAt(support::samples() / "blunt_body.json"));
+  const MeshState state =
+      support::finished(support::domainAt(support::samples() / "blunt_body.json"), support::withoutOptimiser());
   const Quality q = measure(state.mesh);
   EXPECT_LT(q.aspectMax, 3.78);
   EXPECT_LT(q.areaRatioMax, 2.39);
@@ -58,7 +59,8 @@ TEST(PaperFigures, BluntBodyIsAtLeastAsGood) {
 
 // The counterpart of the paper's second example: 4.19 / 2.88 / 1.94 over 33,040 triangles, 5.5 % of them obtuse.
 TEST(PaperFigures, ThreeElementAirfoilIsAtLeastAsGood) {
-  const MeshState state = support::finished(support::domainAt(support::samples() / "three_element_airfoil.json"));
+  const MeshState state = support::finished(support::domainAt(support::samples() / "three_element_airfoil.json"),
+                                            support::withoutOptimiser());
   const Quality q = measure(state.mesh);
   EXPECT_LT(q.aspectMax, 4.19);
   EXPECT_LT(q.areaRatioMax, 2.88);
@@ -71,11 +73,11 @@ TEST(PaperFigures, ThreeElementAirfoilIsAtLeastAsGood) {
 TEST(PaperFigures, StepsOneToFiveAreTheSameWithAndWithoutStepSix) {
   const support::DomainPtr domain = support::domainFrom(support::kFrame);
   const MeshState without = support::finished(domain, support::withoutStep6());
-  MeshState with = support::after(domain, Stage::step5);
+  MeshState with = support::after(domain, Stage::step5, support::withoutOptimiser());
   EXPECT_EQ(with.stage, Stage::refine);
   with.stage = Stage::finished;
   EXPECT_EQ(hashOf(with), hashOf(without));
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::bounds_test

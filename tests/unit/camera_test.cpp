@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace triscope {
+namespace triscope::camera_test {
 namespace {
 
 Box boxOf(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
@@ -93,4 +93,4 @@ TEST(Camera, VisibleBoxIsWhatTheCornersShow) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::camera_test

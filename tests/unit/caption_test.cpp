@@ -7,7 +7,7 @@
 #include "core/domain/read.h"
 #include "core/method/pipeline.h"
 
-namespace triscope {
+namespace triscope::caption_test {
 namespace {
 
 bool contains(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
@@ -90,4 +90,4 @@ TEST(Caption, SummaryNamesTheFigures) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::caption_test

@@ -14,7 +14,7 @@
 #include "support/judge.h"
 #include "support/meshes.h"
 
-namespace triscope {
+namespace triscope::cavity_test {
 namespace {
 
 using support::PointSet;
@@ -333,4 +333,4 @@ TEST(SplitCavity, LeavesASoundMeshHoweverFarOffTheChord) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::cavity_test

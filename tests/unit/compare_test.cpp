@@ -10,7 +10,7 @@
 #include "core/session/session.h"
 #include "support/domains.h"
 
-namespace triscope {
+namespace triscope::compare_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -191,4 +191,4 @@ TEST(Compare, ARoundThatTheOtherNeverCameToIsItsLastRoundsEnd) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::compare_test

@@ -6,7 +6,7 @@
 #include "support/runs.h"
 #include "support/wave.h"
 
-namespace triscope {
+namespace triscope::constraint_search_test {
 namespace {
 
 TEST(ConstraintSearch, CarriesOnFromAnyCopy) {
@@ -66,4 +66,4 @@ TEST(Begin, CanBeGivenUp) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::constraint_search_test

@@ -8,7 +8,7 @@
 #include "support/random.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::continuous_size_test {
 namespace {
 
 using support::Random;
@@ -91,4 +91,4 @@ TEST(ContinuousSize, OfOneCellIsThatOfTheCell) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::continuous_size_test

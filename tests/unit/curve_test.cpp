@@ -12,7 +12,7 @@
 #include "core/domain/spline.h"
 #include "core/geometry/trig.h"
 
-namespace triscope {
+namespace triscope::curve_test {
 namespace {
 
 Curve line(Point a, Point b) { return {.kind = CurveKind::line, .a = a, .b = b}; }
@@ -186,4 +186,4 @@ TEST(Curve, BitsAreTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::curve_test

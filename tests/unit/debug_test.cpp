@@ -12,7 +12,7 @@
 #include "support/optimised.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::debug_test {
 namespace {
 
 MeshState start(const std::string& sample) {
@@ -137,4 +137,4 @@ TEST(Breakpoint, ABrokenRuleIsFound) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::debug_test

@@ -8,7 +8,7 @@
 #include "sample_states.h"
 #include "support/meshes.h"
 
-namespace triscope {
+namespace triscope::degrees_test {
 namespace {
 
 using support::operator""_v;
@@ -82,4 +82,4 @@ TEST(Degrees, InAWholeMeshTheyAreTheSizesOfTheStars) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::degrees_test

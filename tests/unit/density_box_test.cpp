@@ -8,7 +8,7 @@
 #include "support/random.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::density_box_test {
 namespace {
 
 std::string squareWith(const std::string& density) {
@@ -69,4 +69,4 @@ TEST(DensityBox, IsOneWish) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::density_box_test

@@ -10,7 +10,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::density_test {
 namespace {
 
 const Cell& cellAt(const Quadtree& tree, std::int32_t index) { return tree.cells[static_cast<std::size_t>(index)]; }
@@ -175,4 +175,4 @@ TEST(BoundaryTree, RaysHitTheFirstPieceOnTheWay) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::density_test

@@ -5,7 +5,7 @@
 #include "core/domain/shortest_line.h"
 #include "support/domains.h"
 
-namespace triscope {
+namespace triscope::domain_curves_test {
 namespace {
 
 TEST(DomainCurves, EachIsPartOfTheLoopThatListsIt) {
@@ -38,4 +38,4 @@ TEST(DomainCurves, OfArcsAloneNoneIsStraight) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_curves_test

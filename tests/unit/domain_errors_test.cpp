@@ -7,7 +7,7 @@
 
 #include "core/domain/read.h"
 
-namespace triscope {
+namespace triscope::domain_errors_test {
 namespace {
 
 constexpr int kNoPoint = -1;
@@ -342,4 +342,4 @@ INSTANTIATE_TEST_SUITE_P(Meeting, DomainErrorRow, testing::ValuesIn(kMeeting), l
 INSTANTIATE_TEST_SUITE_P(Sizes, DomainErrorRow, testing::ValuesIn(kSizes), labelOf);
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_errors_test

@@ -9,7 +9,7 @@
 #include "core/domain/outline.h"
 #include "core/domain/read.h"
 
-namespace triscope {
+namespace triscope::domain_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST(DomainFiles, DomainsThatTouchOrCrossAreRefusedWithAPlace) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_files_test

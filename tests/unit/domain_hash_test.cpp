@@ -9,7 +9,7 @@
 
 #include "support/domains.h"
 
-namespace triscope {
+namespace triscope::domain_hash_test {
 namespace {
 
 TEST(DomainHash, ChangesWithEveryPartOfTheDomain) {
@@ -52,4 +52,4 @@ TEST(DomainHash, IsTheSameWhereverTheDomainWasReadFrom) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_hash_test

@@ -10,7 +10,7 @@
 #include "core/domain/outline.h"
 #include "core/geometry/trig.h"
 
-namespace triscope {
+namespace triscope::domain_read_test {
 namespace {
 
 Domain parse(std::string_view json) {
@@ -229,4 +229,4 @@ TEST(DomainRead, ADomainMadeInMemoryIsCheckedTheSameWay) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_read_test

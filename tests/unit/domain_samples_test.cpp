@@ -11,7 +11,7 @@
 
 #include "core/domain/read.h"
 
-namespace triscope {
+namespace triscope::domain_samples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ TEST(DomainSamples, TheScriptWritesThemAgain) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_samples_test

@@ -5,7 +5,7 @@
 
 #include "core/domain/read.h"
 
-namespace triscope {
+namespace triscope::domain_text_test {
 namespace {
 
 using Where = DensityRequest::Where;
@@ -65,4 +65,4 @@ TEST(DomainText, ADomainKeepsItsText) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::domain_text_test

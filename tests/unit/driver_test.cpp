@@ -8,7 +8,7 @@
 #include "support/domains.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::driver_test {
 namespace {
 
 const support::DomainPtr& frame() {
@@ -160,7 +160,7 @@ TEST(Driver, HitsForwardsAreTheHitsBackwardsReversed) {
 }
 
 TEST(Driver, WhatFollowsTheLastDecisionCanBeMet) {
-  Result<Condition> condition = Condition::compile("event == stage_finished and stage == refine");
+  Result<Condition> condition = Condition::compile("event == stage_finished and stage == optimise");
   ASSERT_TRUE(condition.ok());
   Trip trip(support::start(frame()));
   trip.driver.breakpoints = {{*condition}};
@@ -213,4 +213,4 @@ TEST(Run, ABranchLeavesTheRunItCameFromAlone) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::driver_test

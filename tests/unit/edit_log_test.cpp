@@ -15,7 +15,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::edit_log_test {
 namespace {
 
 using support::Random;
@@ -172,4 +172,4 @@ TEST(CollapseEdge, RefusesWhatWouldBeNoTriangulation) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::edit_log_test

@@ -9,7 +9,7 @@
 #include "core/mesh/edit.h"
 #include "support/meshes.h"
 
-namespace triscope {
+namespace triscope::embedding_test {
 namespace {
 
 using support::meshOf;
@@ -92,4 +92,4 @@ TEST(Embedding, AFanThatGoesRoundTwiceOverlaps) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::embedding_test

@@ -11,7 +11,7 @@
 #include "support/random.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::event_log_test {
 namespace {
 
 using support::Random;
@@ -182,4 +182,4 @@ TEST(Events, AreAViewOfALogOrAList) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::event_log_test

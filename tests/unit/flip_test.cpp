@@ -10,7 +10,7 @@
 #include "support/judge.h"
 #include "support/meshes.h"
 
-namespace triscope {
+namespace triscope::flip_test {
 namespace {
 
 using support::Random;
@@ -177,4 +177,4 @@ TEST(RestoreDelaunay, ListsEachFlip) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::flip_test

@@ -11,7 +11,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::fronts_test {
 namespace {
 
 double nearestVertex(const Mesh& mesh, Point p) {
@@ -125,4 +125,4 @@ TEST(Fronts, CavitiesStaySmallAlongALongBoundary) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::fronts_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace triscope {
+namespace triscope::heat_map_test {
 namespace {
 
 HeatMap map(std::size_t columns, std::size_t rows) {
@@ -178,4 +178,4 @@ TEST(HeatMap, LegendSaysWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::heat_map_test

@@ -6,7 +6,7 @@
 
 #include "core/mesh/mesh.h"
 
-namespace triscope {
+namespace triscope::ids_test {
 namespace {
 
 template <class L, class R>
@@ -59,4 +59,4 @@ TEST(Ids, AHalfEdgeIsACornerOfASlot) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::ids_test

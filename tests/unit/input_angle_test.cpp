@@ -5,7 +5,7 @@
 
 #include "support/meshes.h"
 
-namespace triscope {
+namespace triscope::input_angle_test {
 namespace {
 
 using support::meshOf;
@@ -33,4 +33,4 @@ TEST(SmallInputAngle, IsNoneInTheInteriorAndAtSixtyDegrees) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::input_angle_test

@@ -15,7 +15,7 @@
 #include "support/ids.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::insertion_test {
 namespace {
 
 using Ids = std::vector<TriangleId>;  // ascending
@@ -117,4 +117,4 @@ TEST(Insertion, NothingBeforeThereIsATriangulation) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::insertion_test

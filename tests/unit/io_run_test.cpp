@@ -17,7 +17,7 @@
 #include "core/method/pipeline.h"
 #include "core/words/vocabulary.h"
 
-namespace triscope {
+namespace triscope::io_run_test {
 namespace {
 
 using nlohmann::json;
@@ -268,4 +268,4 @@ TEST(Events, FileAppearsWhenItIsComplete) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::io_run_test

@@ -12,7 +12,7 @@
 #include "core/mesh/validate.h"
 #include "core/quality/quality.h"
 
-namespace triscope {
+namespace triscope::io_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -346,4 +346,4 @@ TEST(MeshFrom, RefusesWhatIsNoPlaneMesh) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::io_test

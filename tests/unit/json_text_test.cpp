@@ -12,7 +12,7 @@
 #include "core/base/json_value.h"
 #include "support/random.h"
 
-namespace triscope {
+namespace triscope::json_text_test {
 namespace {
 
 void expectSame(double value) {
@@ -54,4 +54,4 @@ TEST(JsonText, ReadsBackAsTheSameText) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::json_text_test

@@ -6,7 +6,7 @@
 #include <new>
 #include <vector>
 
-namespace triscope {
+namespace triscope::large_blocks_test {
 namespace {
 
 constexpr std::size_t kLargePage = std::size_t{1} << 21;
@@ -39,4 +39,4 @@ TEST(LargeBlocks, MoreThanThereIsThrows) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::large_blocks_test

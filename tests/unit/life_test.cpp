@@ -12,7 +12,7 @@
 #include "support/recorded.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::life_test {
 namespace {
 
 TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
@@ -45,4 +45,4 @@ TEST(Life, DeathIsFoundWhereTheTriangleLastWas) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::life_test

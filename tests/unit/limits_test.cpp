@@ -13,7 +13,7 @@
 #include "support/random.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::limits_test {
 namespace {
 
 using support::Random;
@@ -147,4 +147,4 @@ TEST(Limits, RepairLeavesTheRestAsItIs) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::limits_test

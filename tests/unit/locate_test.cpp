@@ -9,7 +9,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::locate_test {
 namespace {
 
 using support::PointSet;
@@ -135,4 +135,4 @@ TEST(WalkInADomain, EndsInTheTriangleOrAtABoundaryEdgeThatHidesThePoint) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::locate_test

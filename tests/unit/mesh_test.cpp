@@ -8,7 +8,7 @@
 #include "support/judge.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::mesh_test {
 namespace {
 
 using support::operator""_edge;
@@ -85,4 +85,4 @@ TEST(StarOf, GoesAroundOnce) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::mesh_test

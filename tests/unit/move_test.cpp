@@ -10,7 +10,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::move_test {
 namespace {
 
 using support::operator""_v;
@@ -144,4 +144,4 @@ TEST(MoveVertex, RefusesABoundaryVertex) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::move_test

@@ -19,7 +19,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::optimise_test {
 namespace {
 
 using support::Random;
@@ -271,4 +271,4 @@ TEST(Optimise, LeavesWhatTouchesASharpCornerAndMendsTheRest) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::optimise_test

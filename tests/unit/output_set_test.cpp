@@ -18,7 +18,7 @@
 #include "core/base/file_identity.h"
 #include "core/base/temporary_name.h"
 
-namespace triscope {
+namespace triscope::output_set_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -282,4 +282,4 @@ TEST_F(Outputs, AnOutputMayNotBeAnInputOrAnotherOutput) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::output_set_test

@@ -11,7 +11,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::patch_test {
 namespace {
 
 using support::operator""_slot;
@@ -123,4 +123,4 @@ TEST_P(PatchOf, EditsGiveTheSameTrianglesAsInTheMesh) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::patch_test

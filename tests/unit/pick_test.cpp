@@ -7,7 +7,7 @@
 #include "sample_states.h"
 #include "support/ids.h"
 
-namespace triscope {
+namespace triscope::pick_test {
 namespace {
 
 using support::operator""_id, support::operator""_slot;
@@ -104,4 +104,4 @@ TEST(Pick, IsPresentWhereTheMeshHasItAndNowhereElse) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::pick_test

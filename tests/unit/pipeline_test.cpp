@@ -14,7 +14,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::pipeline_test {
 namespace {
 
 TEST(StageTable, HasEveryStageInOrderWithItsOwnKey) {
@@ -291,4 +291,4 @@ TEST_P(EventsOf, LeaveAValidMeshAfterEveryStage) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::pipeline_test

@@ -14,7 +14,7 @@
 
 #include "core/geometry/circumcircle.h"
 
-namespace triscope {
+namespace triscope::predicates_test {
 namespace {
 
 int orient2dOracle(Point a, Point b, Point c) {
@@ -245,4 +245,4 @@ TEST(Circumcircle, IsTheSameFarFromTheOrigin) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::predicates_test

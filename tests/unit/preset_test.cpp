@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace triscope {
+namespace triscope::preset_test {
 namespace {
 
 TEST(Presets, NameSettingsThatThereAreWithValuesTheyMayHave) {
@@ -74,4 +74,4 @@ TEST(Aims, AreTheDialsUnlessTheyAreGiven) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::preset_test

@@ -9,7 +9,7 @@
 #include "support/random.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::quadtree_test {
 namespace {
 
 using support::Random;
@@ -233,4 +233,4 @@ TEST_P(TreeOf, CoversTheRootOnce) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::quadtree_test

@@ -10,7 +10,7 @@
 #include "core/mesh/mesh_changes.h"
 #include "core/run/history.h"
 
-namespace triscope {
+namespace triscope::quality_parts_test {
 namespace {
 
 void expectSame(const Quality& a, const Quality& b) {
@@ -64,4 +64,4 @@ TEST(QualityParts, FollowARunForwardsAndBackwards) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::quality_parts_test

@@ -8,7 +8,7 @@
 #include "core/quality/bound_figure.h"
 #include "support/ids.h"
 
-namespace triscope {
+namespace triscope::quality_test {
 namespace {
 
 using support::operator""_slot, support::operator""_v;
@@ -148,4 +148,4 @@ TEST(BesideBound, NeverReadsLikeABoundItIsNotOn) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::quality_test

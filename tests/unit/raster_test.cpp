@@ -10,7 +10,7 @@
 #include "render/stroke.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::raster_test {
 namespace {
 
 constexpr Color kWhite{255, 255, 255, 255};
@@ -220,4 +220,4 @@ TEST(Blend, KeepsTheEndsExact) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::raster_test

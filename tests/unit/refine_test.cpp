@@ -14,7 +14,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::refine_test {
 namespace {
 
 constexpr const char* kSquare = R"({"outer": [[0, 0], [8, 0], [8, 8], [0, 8]], "min_edge_length": 0.3,
@@ -174,4 +174,4 @@ TEST(RefinePasses, StopAtTheirBudget) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::refine_test

@@ -15,7 +15,7 @@
 #include "support/random_domains.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::refine_trial_test {
 namespace {
 
 using support::Random;
@@ -123,4 +123,4 @@ TEST_P(QuickTrial, AnswersAsTheFullOne) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::refine_trial_test

@@ -9,7 +9,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::remove_test {
 namespace {
 
 using support::operator""_v;
@@ -104,4 +104,4 @@ TEST(RemoveVertex, StaysConstrainedDelaunayNextToBoundaries) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::remove_test

@@ -11,7 +11,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::repair_test {
 namespace {
 
 std::uint16_t roundsOf(const support::DomainPtr& domain) {
@@ -99,4 +99,4 @@ TEST_P(RepairOf, EventsAreWhatHappened) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::repair_test

@@ -14,7 +14,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::rows_test {
 namespace {
 
 constexpr std::array kRowPlacements{Placement::rebay, Placement::size_optimal, Placement::tiling, Placement::spokes};
@@ -145,4 +145,4 @@ TEST(BoundaryPoints, AreCountedByRatioWhereLengthsAreContinuous) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::rows_test

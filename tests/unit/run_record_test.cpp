@@ -7,7 +7,7 @@
 
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::run_record_test {
 namespace {
 
 /// A run as a recorder is told of it, and the events after each decision in full.
@@ -71,4 +71,4 @@ TEST(RunRecord, ForgetsAndGoesOn) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::run_record_test

@@ -6,7 +6,7 @@
 #include "render/scene.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::scene_layers_test {
 namespace {
 
 /// A square with one hole in it.
@@ -38,4 +38,4 @@ TEST(SceneLayers, ACircleIsDrawnAnewWhenItsFirstPointStayedWhereItWas) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::scene_layers_test

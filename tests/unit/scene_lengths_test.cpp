@@ -8,7 +8,7 @@
 #include "render/scene.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::scene_lengths_test {
 namespace {
 
 /// A step of 0.2, less than the Δx that is given: density rank 1 asks for half of Δx.
@@ -40,4 +40,4 @@ TEST(SceneLengths, MarksLeaveTheRoomThatTheTreeAsksFor) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::scene_lengths_test

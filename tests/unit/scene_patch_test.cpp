@@ -8,7 +8,7 @@
 #include "render/scene.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::scene_patch_test {
 namespace {
 
 bool isHole(const Index3& t) { return t[0] == t[1]; }
@@ -112,4 +112,4 @@ TEST(ScenePatch, WhatLooksTheSameKeepsItsVersion) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::scene_patch_test

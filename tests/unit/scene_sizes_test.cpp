@@ -8,7 +8,7 @@
 #include "render/scene_parts.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::scene_sizes_test {
 namespace {
 
 TEST(SceneSizes, ColoursTrianglesByHowFarTheirEdgesAreFromTheLengthWanted) {
@@ -63,4 +63,4 @@ TEST(SceneSizes, MarksVerticesOfFewerAndOfMoreThanSixTriangles) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::scene_sizes_test

@@ -12,7 +12,7 @@
 #include "render/star.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::scene_test {
 namespace {
 
 using EdgeSet = std::set<std::pair<std::uint32_t, std::uint32_t>>;
@@ -363,4 +363,4 @@ TEST(Number, ReadsAsPeopleWriteThem) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::scene_test

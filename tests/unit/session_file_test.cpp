@@ -9,7 +9,7 @@
 #include "support/random.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::session_file_test {
 namespace {
 
 Breakpoint breakpoint(const std::string& text, Breakpoint::Action action, bool enabled) {
@@ -194,7 +194,7 @@ TEST(SessionFile, HashesAreThoseOfTheStagesPassed) {
   const auto all = stageHashes(support::start(domain), ~std::uint64_t{0}, ~std::size_t{0}, always);
   ASSERT_GT(all.size(), 12u);
   EXPECT_EQ(all.front().stage, Stage::constraints);
-  EXPECT_EQ(all.back().stage, Stage::refine);
+  EXPECT_EQ(all.back().stage, Stage::optimise);
   EXPECT_EQ(all.back().hash, hashOf(support::finished(domain)));
   for (const StageHash& h : all)
     if (h.stage == Stage::step1) {
@@ -220,4 +220,4 @@ TEST(SessionFile, IsToldFromADomainByItsContent) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::session_file_test

@@ -5,7 +5,7 @@
 
 #include "support/session_driver.h"
 
-namespace triscope {
+namespace triscope::session_work_test {
 namespace {
 
 /// A session, and a viewer that has heard all it told.
@@ -110,4 +110,4 @@ TEST(Publication, EventsOfASnapshotThatNobodyTookAreStillTold) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::session_work_test

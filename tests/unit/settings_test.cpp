@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace triscope {
+namespace triscope::settings_test {
 namespace {
 
 TEST(SettingTable, KeysAreUniqueAndEveryEntryExplainsItself) {
@@ -162,4 +162,4 @@ TEST(SettingTable, NamesEveryValueOfASwitchOrAnEnumAndOfNothingElse) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::settings_test

@@ -9,7 +9,7 @@
 #include "support/ids.h"
 #include "support/recorded.h"
 
-namespace triscope {
+namespace triscope::shape_story_test {
 namespace {
 
 TEST(ShapeStory, EndsWithTheShapeThatTheTriangleHas) {
@@ -58,15 +58,26 @@ TEST(ShapeStory, IsWhatTheMeshWasBeforeAndAfterEachMove) {
       const Triangle& t = then.mesh.triangles[there];
       return qualityOf(pointOf(then.mesh, t.v[0]), pointOf(then.mesh, t.v[1]), pointOf(then.mesh, t.v[2])).aspect;
     };
-    EXPECT_NEAR(aspectAt(run.tickAt[*birth]), story->atBirth, 1e-9);
-    for (const ShapeChange& move : story->moves) {
-      EXPECT_NEAR(aspectAt(run.tickAt[move.event] - 1), move.before, 1e-9);
-      EXPECT_NEAR(aspectAt(run.tickAt[move.event]), move.after, 1e-9);
-      ++looked;
+    if (story->moves.empty() || run.tickAt[story->moves.front().event] != run.tickAt[*birth]) {
+      EXPECT_NEAR(aspectAt(run.tickAt[*birth]), story->atBirth, 1e-9);
+    }
+    // An edit moves a corner again where it smoothes what it has made: the mesh is known before and after it as a
+    // whole.
+    const std::vector<ShapeChange>& moves = story->moves;
+    const auto tickOf = [&](std::size_t k) { return run.tickAt[moves[k].event]; };
+    for (std::size_t k = 0; k < moves.size(); ++k, ++looked) {
+      const bool first = k == 0 ? tickOf(k) != run.tickAt[*birth] : tickOf(k) != tickOf(k - 1);
+      const bool last = k + 1 == moves.size() || tickOf(k) != tickOf(k + 1);
+      if (first) {
+        EXPECT_NEAR(aspectAt(tickOf(k) - 1), moves[k].before, 1e-9);
+      }
+      if (last) {
+        EXPECT_NEAR(aspectAt(tickOf(k)), moves[k].after, 1e-9);
+      }
     }
   }
   EXPECT_GT(looked, 30u);
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::shape_story_test

@@ -5,7 +5,7 @@
 
 #include "core/base/result.h"
 
-namespace triscope {
+namespace triscope::shown_text_test {
 namespace {
 
 TEST(ShownText, WhatCanBeReadStays) {
@@ -45,4 +45,4 @@ TEST(ShownText, AnErrorIsOneLineHoweverItsPlaceIsCalled) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::shown_text_test

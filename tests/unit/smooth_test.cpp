@@ -8,7 +8,7 @@
 #include "support/meshes.h"
 #include "support/random.h"
 
-namespace triscope {
+namespace triscope::smooth_test {
 namespace {
 
 using support::Random;
@@ -155,4 +155,4 @@ TEST(Penalty, SaysBadWhereAnAimIsBroken) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::smooth_test

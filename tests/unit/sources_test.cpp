@@ -13,7 +13,7 @@
 #include "support/judge.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::sources_test {
 namespace {
 
 std::vector<Constraint> allOf(const Domain& domain, const Settings& settings = {}) {
@@ -206,4 +206,4 @@ TEST(FinestLength, IsHalvedUntilShortInputEdgesFit) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::sources_test

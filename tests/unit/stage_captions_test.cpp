@@ -18,7 +18,7 @@
 #include "support/optimised.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::stage_captions_test {
 namespace {
 
 constexpr std::array kSamples{"blunt_body.json", "cracked_plate.json", "cylinder.json",
@@ -239,4 +239,4 @@ INSTANTIATE_TEST_SUITE_P(Samples, StageCaptions, testing::ValuesIn(kSamples),
                          [](const auto& tested) { return std::string(tested.param, std::strcspn(tested.param, ".")); });
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::stage_captions_test

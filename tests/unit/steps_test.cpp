@@ -18,7 +18,7 @@
 #include "support/runs.h"
 #include "support/watch.h"
 
-namespace triscope {
+namespace triscope::steps_test {
 namespace {
 
 using support::operator""_v;
@@ -326,4 +326,4 @@ TEST(InsertionRules, NearTiesAreInserted) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::steps_test

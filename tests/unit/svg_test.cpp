@@ -11,7 +11,7 @@
 #include "render/figure.h"
 #include "sample_states.h"
 
-namespace triscope {
+namespace triscope::svg_test {
 namespace {
 
 // Every tag closed in order, every attribute quoted, no bare '<' or '&' in text. "" when all is well.
@@ -241,4 +241,4 @@ TEST(Figures, TheRegionAroundALoopHoldsIt) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::svg_test

@@ -10,7 +10,7 @@
 #include "core/domain/check.h"
 #include "core/geometry/predicates.h"
 
-namespace triscope {
+namespace triscope::sweep_line_test {
 namespace {
 
 bool between(double a, double x, double b) { return std::min(a, b) <= x && x <= std::max(a, b); }
@@ -179,4 +179,4 @@ TEST(SweepLine, HundredThousandEdgesAreChecked) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::sweep_line_test

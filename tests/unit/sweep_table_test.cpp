@@ -5,7 +5,7 @@
 
 #include <memory>
 
-namespace triscope {
+namespace triscope::sweep_table_test {
 namespace {
 
 /// One pair's outcome.
@@ -106,4 +106,4 @@ TEST(SweepTable, RangesAreKeptWithinTheSetting) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::sweep_table_test

@@ -10,7 +10,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::trial_test {
 namespace {
 
 using support::Random;
@@ -64,4 +64,4 @@ TEST_P(TrialOf, JudgesLikeTheWholeMeshAndTakesBack) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::trial_test

@@ -9,7 +9,7 @@
 #include "core/run/travel.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::triangle_limit_test {
 namespace {
 
 /// Where the run stops, and the event that says so.
@@ -147,4 +147,4 @@ TEST(EstimateText, RoundsAsPeopleDo) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::triangle_limit_test

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-namespace triscope {
+namespace triscope::trig_test {
 namespace {
 
 constexpr double kAccuracy = 4e-16;
@@ -100,4 +100,4 @@ TEST(Trig, BitsAreTheSameEverywhere) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::trig_test

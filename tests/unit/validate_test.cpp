@@ -8,7 +8,7 @@
 #include "core/mesh/edit.h"
 #include "support/ids.h"
 
-namespace triscope {
+namespace triscope::validate_test {
 namespace {
 
 using namespace support;
@@ -248,4 +248,4 @@ TEST(Validate, StopsAtTheLimit) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::validate_test

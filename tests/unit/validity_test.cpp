@@ -8,7 +8,7 @@
 #include "support/meshes.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::validity_test {
 namespace {
 
 Event endOf(Stage stage) {
@@ -87,4 +87,4 @@ TEST_P(Validity, AnEdgeIsTooShort) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::validity_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace triscope {
+namespace triscope::version_test {
 namespace {
 
 TEST(Version, NothingIsSaidOfWhatThisVersionSaved) { EXPECT_EQ(versionNote(thisVersion()), ""); }
@@ -35,4 +35,4 @@ TEST(Version, WhatDoesNotSayMayBeAnything) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::version_test

@@ -15,7 +15,7 @@
 #include "support/optimised.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::vocabulary_test {
 namespace {
 
 EventKind kindAt(int k) { return static_cast<EventKind>(k); }
@@ -147,12 +147,13 @@ TEST(Vocabulary, EachWordIsSaidByARunAndIsTrueOfIt) {
     EXPECT_TRUE(!ofVertex || e.vertex != kNoId) << said;
   };
   for (const char* const file : {"koch5", "cracked_plate", "notch_over_wall", "blunt_body"})
-    listen(support::domainAt(support::testData() / (std::string(file) + ".json")), {}, heard, check);
+    listen(support::domainAt(support::testData() / (std::string(file) + ".json")), support::withoutOptimiser(), heard,
+           check);
   listen(support::domainAt(support::samples() / "narrow_gap.json"), {}, heard, check);
   Settings few;
   few.maxTriangles = 1000;
   listen(support::domainAt(support::testData() / "blunt_body.json"), few, heard, check);
-  Settings wide;
+  Settings wide = support::withoutOptimiser();
   wide.theta = 10.0;  // so far that some turns would turn a triangle over
   listen(support::domainAt(support::testData() / "perforated_plate.json"), wide, heard, check);
   listen(domainOf(R"({"outer": [[0, 0], [10, 0], [10, 10], [0, 10]], "min_edge_length": 0.5,
@@ -212,4 +213,4 @@ TEST(Vocabulary, BreakpointsAndHistoryAgreeOnWhatIsAboutAnElement) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::vocabulary_test

@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "support/optimised.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::wanted_test {
 namespace {
 
 TEST(Wanted, IsNothingBeforeThereIsATree) {
@@ -16,12 +17,16 @@ TEST(Wanted, IsNothingBeforeThereIsATree) {
 
 TEST(Wanted, IsWhatTheTreeSays) {
   const MeshState state = support::after(support::domainFrom(support::kFrame), Stage::density);
-  for (const Point p : {Point{0.0, 0.0}, {7.9, -7.9}, {1e6, 0.0}}) {
-    const std::optional<Wanted> wanted = wantedAt(state.tree, p);
-    ASSERT_TRUE(wanted);
-    EXPECT_EQ(wanted->length, edgeLengthAt(state.tree, p));
-    EXPECT_EQ(wanted->rank, densityRankAt(state.tree, p));
-    EXPECT_EQ(wanted->cell, leafAt(state.tree, p));
+  const MeshState smooth = support::after(support::domainFrom(support::kFrame), Stage::density, support::best());
+  ASSERT_FALSE(smooth.tree.corners.empty());
+  for (const Quadtree* const tree : {&state.tree, &smooth.tree}) {
+    for (const Point p : {Point{0.0, 0.0}, {7.9, -7.9}, {2.3, 4.1}, {1e6, 0.0}}) {
+      const std::optional<Wanted> wanted = wantedAt(*tree, p);
+      ASSERT_TRUE(wanted);
+      EXPECT_EQ(wanted->length, edgeLengthAt(*tree, p));
+      EXPECT_EQ(wanted->rank, densityRankAt(*tree, p));
+      EXPECT_EQ(wanted->cell, leafAt(*tree, p));
+    }
   }
   EXPECT_EQ(cellOf(state.tree, 0), &state.tree.cells[0]);
   EXPECT_EQ(cellOf(state.tree, -1), nullptr);
@@ -43,4 +48,4 @@ TEST(EdgeLengthOf, IsTheTreesFromTheStartOfTheRun) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::wanted_test

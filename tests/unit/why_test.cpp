@@ -16,7 +16,7 @@
 #include "support/recorded.h"
 #include "support/runs.h"
 
-namespace triscope {
+namespace triscope::why_test {
 namespace {
 
 const char* const kSamples[] = {"annulus", "l_shape", "blunt_body", "cracked_plate", "narrow_gap"};
@@ -150,7 +150,10 @@ TEST(Why, TheFiguresOfStepThreeAreThoseOfTheTriangleAtThatMoment) {
 TEST(Why, EveryTriangleIsExplained) {
   for (const char* const sample : kSamples) {
     const support::Recorded& run = support::runOf(sample);
-    for (const Slot slot : run.end.mesh.triangles.keys()) {
+    // Each answer reads all events: of a large run a part of the triangles.
+    const std::size_t step = 1 + run.events.size() / 4000;
+    for (std::size_t n = 0; n < run.end.mesh.triangles.size(); n += step) {
+      const Slot slot(n);
       if (!run.end.mesh.alive(slot)) continue;
       const Ref ref{Ref::Kind::triangle, run.end.mesh.ids[slot].word()};
       const auto birth = birthOf(run.events, ref);
@@ -287,4 +290,4 @@ TEST(Why, APackedLogGivesTheSameAnswers) {
 }
 
 }  // namespace
-}  // namespace triscope
+}  // namespace triscope::why_test

@@ -99,11 +99,11 @@ class Compare(harness.WindowTest):
             self.assertEqual(state["compare"]["tick"], state["tick"])
         x, y, width, height = window.widget_box("timeline")
         window.press(x + 0.8 * width, y + height / 2)
-        state = window.wait(lambda s: s["tick"] > state["tick"] and s["compare"]["tick"] > state["tick"], "step 6")
+        state = window.wait(lambda s: s["tick"] > state["tick"] and s["compare"]["tick"] > state["tick"], "beyond step 6")
         self.together()
         state = window.settled()
         start = state["compare"]["ticks"] - state["debug"]["ticks"]
-        self.assertEqual(state["compare"]["stage"], "refine")
+        self.assertEqual(state["compare"]["stage"], "optimise")
         self.assertNotEqual(start, 0, "the runs differ in length")
         window.key("End")
         state = window.wait(lambda s: s["stage"] == s["compare"]["stage"] == "finished", "both ends")

@@ -364,7 +364,9 @@ class Parameters(harness.WindowTest):
 
     def test_switches_and_numbers_mesh_again(self):
         window = self.window
-        start = window.settled()
+        window.click("tab.Stages")
+        window.click("stage.optimise")
+        start = window.wait(lambda s: s["stage"] == "optimise" and s["activity"] == "idle", "the end of step 6")
         window.click("tab.Params")
         for name in ("laplacian", "reduce_obtuse", "shared_edge", "polish"):
             before = window.settled()
@@ -379,7 +381,7 @@ class Parameters(harness.WindowTest):
         x, y = window.widget("param.omega")
         window.drag(x - 60, y, x + 40, y)
         dragged = window.wait(lambda s: s["settings"]["omega"] > 0.3 and s["activity"] == "idle", "a larger omega")
-        self.assertEqual(dragged["stage"], "finished")
+        self.assertEqual(dragged["stage"], "optimise")
         window.click("param.omega.reset")
         window.wait(lambda s: s["hash"] == start["hash"], "the default again")
 

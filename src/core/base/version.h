@@ -6,7 +6,7 @@
 namespace triscope {
 
 /// Of the method: raised whenever some input gives another mesh, or is meshed by other decisions, than before.
-inline constexpr int kMethodVersion = 2;
+inline constexpr int kMethodVersion = 3;
 
 struct MadeBy {
   std::string program;  // "0.1.0"; empty: not said

@@ -4,9 +4,10 @@ namespace triscope {
 
 std::optional<Wanted> wantedAt(const Quadtree& tree, Point p) {
   if (tree.cells.empty()) return std::nullopt;
-  const std::int32_t leaf = leafAt(tree, p);
+  LeafPath path;
+  const std::int32_t leaf = leafAt(tree, p, path);
   const int rank = tree.cells[static_cast<std::size_t>(leaf)].density;
-  return Wanted{leaf, rank, edgeLengthOf(tree, rank)};
+  return Wanted{leaf, rank, edgeLengthAt(tree, p, path)};
 }
 
 const Cell* cellOf(const Quadtree& tree, std::int64_t index) {

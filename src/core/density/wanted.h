@@ -12,7 +12,7 @@ namespace triscope {
 struct Wanted {
   std::int32_t cell = -1;  // the leaf
   int rank = 1;            // density rank i
-  double length = 0.0;     // edge length h
+  double length = 0.0;     // edge length h in force: of the rank, or continuous
 };
 
 /// At p, or at the nearest place of the tree; nothing while there is no tree.

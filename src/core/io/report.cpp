@@ -4,6 +4,7 @@
 #include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/method/pipeline.h"
+#include "core/method/size_fit.h"
 
 namespace triscope {
 namespace {
@@ -102,6 +103,9 @@ std::string reportOf(const MeshState& state, const Quality& quality, const Stage
   out.add("boundary_vertices", quality.boundaryVertices);
   out.add("estimated_triangles", state.estimatedTriangles);
   addMeasures(out, quality);
+  const SizeFit fit = sizeFitOf(state);
+  out.add("edge_over_h_mean", fit.mean);
+  out.add("edge_over_h_within", fit.within);
   out.add("min_edge", state.minEdge);
   out.add("min_edge_derived", state.minEdgeDerived);
   addVerdict(out, state.mesh, quality);

@@ -59,17 +59,22 @@ struct MeshState {
   std::uint16_t roundsDone = 0;      // rounds of steps 2-5 begun and left behind, and …
   std::uint16_t passesDone = 0;      // … passes of the refinement; they stay when `round` begins again
   Cursor cursor;
-  std::uint64_t tick = 0;  // decisions made
+  std::uint64_t tick = 0;       // decisions made
+  std::uint64_t heavyWork = 0;  // what some of them took longer than others do, in decisions: see workOf()
   Each<Stage, StageCounts, kStageCount> counts{};
   bool failed = false;  // the method could not go on; the state stays to be looked at
   Room room;
 };
 
+/// What it took to come here, in decisions of the usual kind (some half a microsecond): how far apart keyframes are
+/// best.
+inline std::uint64_t workOf(const MeshState& state) { return state.tick + state.heavyWork; }
+
 /// No edge is meant to be shorter: Δx, or half of it once the mesh is held to the lengths that are wanted by ratio,
 /// which rows of points, continuous lengths and the optimiser do.
 double shortestMeant(const MeshState& state);
 
-/// 64-bit digest of everything above except the domain, the method, the counts and the room.
+/// 64-bit digest of everything above except the domain, the method, the counts, the work and the room.
 std::uint64_t hashOf(const MeshState& state);
 
 }  // namespace triscope

@@ -71,9 +71,13 @@ PenaltyLimits limitsFor(const Aims& aims) {
   return limits;
 }
 
+Aims withSlack(const Aims& aims) {
+  return {aims.lowestAngle - kAngleSlack, aims.highestAngle + kAngleSlack, aims.areaRatio + kAreaSlack,
+          aims.edgeRatio + kEdgeSlack};
+}
+
 PenaltyLimits slackFor(const Aims& aims) {
-  PenaltyLimits limits = limitsFor({aims.lowestAngle - kAngleSlack, aims.highestAngle + kAngleSlack,
-                                    aims.areaRatio + kAreaSlack, aims.edgeRatio + kEdgeSlack});
+  PenaltyLimits limits = limitsFor(withSlack(aims));
   limits.shortest = 0.0;
   limits.longest = 1e300;
   return limits;

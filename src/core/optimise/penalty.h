@@ -20,7 +20,9 @@ struct PenaltyLimits {
 
 /// The aims themselves.
 PenaltyLimits limitsFor(const Aims& aims);
-/// A little beyond the aims: what is worse than this is worth an edit. Lengths count for nothing.
+/// A little beyond the aims: so far a mesh counts as one that keeps to them.
+Aims withSlack(const Aims& aims);
+/// Of those: what is worse than this is worth an edit. Lengths count for nothing.
 PenaltyLimits slackFor(const Aims& aims);
 
 /// Of a live triangle with its edges, each shared one by half, and the pairs that it is in, by half.

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint64_t kFirstSpacing = 1024;
 // A state of more than some bytes is copied into memory that the system has to clear first. So many of them take a
-// fraction of the time of a decision: that is what keyframes may cost a run.
-constexpr std::size_t kLargeState = std::size_t{4} << 20;
-constexpr std::size_t kBytesPerDecision = 256;
+// tenth of the time of a decision: that is what keyframes may cost a run.
+constexpr std::size_t kLargeState = std::size_t{1} << 19;
+constexpr std::size_t kBytesPerDecision = 64;
 constexpr std::uint64_t kNear = 8192;  // decisions, made again in about the time that it takes to copy a large state
 constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
 
@@ -56,7 +56,7 @@ void History::restart(const MeshState& start) {
   nearTick_ = kNowhere;
   bytes_ = keyframes_.front()->bytes;
   spacing_ = kFirstSpacing;
-  nextTick_ = start.tick + spacing_;
+  nextWork_ = workOf(start) + spacing_;
 }
 
 void History::take(const MeshState& state, std::uint64_t events) {
@@ -65,14 +65,14 @@ void History::take(const MeshState& state, std::uint64_t events) {
   if (size > kLargeState) spacing_ = std::max(spacing_, static_cast<std::uint64_t>(size / kBytesPerDecision));
   if (bytes_ + size > budget_) dropNear();
   while (bytes_ + size > budget_ && keyframes_.size() > 1) thin();
-  nextTick_ = keyframes_.back()->state.tick + spacing_;
-  if (bytes_ + size > budget_ || state.tick < nextTick_) {
-    nextTick_ = std::max(nextTick_, state.tick + spacing_);
+  nextWork_ = workOf(keyframes_.back()->state) + spacing_;
+  if (bytes_ + size > budget_ || workOf(state) < nextWork_) {
+    nextWork_ = std::max(nextWork_, workOf(state) + spacing_);
     return;
   }
   keyframes_.push_back(std::make_shared<const Keyframe>(Keyframe{state, events, size}));
   bytes_ += size;
-  nextTick_ = state.tick + spacing_;
+  nextWork_ = workOf(state) + spacing_;
 }
 
 void History::aimAt(std::uint64_t tick, std::uint64_t from) {
@@ -112,7 +112,7 @@ void History::dropNear() {
 void History::forgetAfter(std::uint64_t tick) {
   if (near_ && near_->state.tick > tick) dropNear();
   while (keyframes_.size() > 1 && keyframes_.back()->state.tick > tick) dropLast();
-  nextTick_ = keyframes_.back()->state.tick + spacing_;
+  nextWork_ = workOf(keyframes_.back()->state) + spacing_;
 }
 
 const Keyframe& History::before(std::uint64_t tick) const {
@@ -142,7 +142,7 @@ std::uint64_t History::changeSettings(const Settings& settings) {
   while (keyframes_.size() > 1 && hasComeTo(keyframes_.back()->state, affected)) dropLast();
   if (near_ && hasComeTo(near_->state, affected)) dropNear();
   settings_ = settings;
-  nextTick_ = keyframes_.back()->state.tick + spacing_;
+  nextWork_ = workOf(keyframes_.back()->state) + spacing_;
   return keyframes_.back()->state.tick;
 }
 

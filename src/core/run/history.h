@@ -42,7 +42,7 @@ class History {
 
   /// Offers the state after a decision (`events` recorded so far). Copies it when the next keyframe is due.
   void offer(const MeshState& state, std::uint64_t events) {
-    if (state.tick >= nextTick_) take(state, events);
+    if (workOf(state) >= nextWork_) take(state, events);
     if (state.tick == nearTick_) takeNear(state, events);
   }
 
@@ -81,8 +81,8 @@ class History {
   Settings settings_;                                       // in force
   std::size_t budget_ = std::size_t{64} << 20;
   std::size_t bytes_ = 0;
-  std::uint64_t spacing_ = 1024;  // decisions between keyframes at least
-  std::uint64_t nextTick_ = 0;
+  std::uint64_t spacing_ = 1024;  // work between keyframes at least, in decisions
+  std::uint64_t nextWork_ = 0;
   std::shared_ptr<const Keyframe> near_;           // before the place last sought; often none
   std::uint64_t nearTick_ = std::uint64_t{0} - 1;  // where the next such one is due
 };

@@ -17,9 +17,10 @@ namespace triscope {
 struct Snapshot {
   std::uint64_t revision = 0;  // grows with every snapshot of a session
   MeshState state;
-  Quality quality;            // of state.mesh; all zero before there is a mesh
-  std::optional<Event> last;  // the decision that led here
-  std::uint64_t events = 0;   // number of events recorded up to here
+  Quality quality;               // of state.mesh; all zero before there is a mesh
+  std::optional<Event> last;     // the decision that led here
+  std::uint64_t events = 0;      // number of events recorded up to here
+  std::uint64_t firstEvent = 0;  // of these, the number of the first that this decision recorded; `events` when none
 
   /// hashOf(state), worked out when it is first asked for, which takes as long as to make the snapshot. For one thread.
   [[nodiscard]] std::uint64_t hash() const {

@@ -108,6 +108,17 @@ void open(SessionWork& work, std::shared_ptr<const Domain> domain) {
   setOut(work, {.kind = Goal::Kind::end}, Activity::meshing);
 }
 
+// Where a run with other settings is to be looked at: its end, the beginning of the stage that this one is at or on its
+// way to, or after as many decisions.
+Goal sameWhere(const Run& run, const Goal& goal) {
+  const MeshState& state = run.state;
+  const auto entry = [](Stage stage) { return Goal{.kind = Goal::Kind::entry, .tick = kUnknown, .stage = stage}; };
+  if (goal.kind == Goal::Kind::entry && !arrived(run, goal)) return entry(goal.stage);
+  if (isOver(run) || goal.kind == Goal::Kind::end) return {.kind = Goal::Kind::end};
+  if (!state.cursor.begun && state.tick > 0 && !inRounds(state.stage)) return entry(state.stage);
+  return {.kind = Goal::Kind::tick, .tick = state.tick};
+}
+
 void change(SessionWork& work, const Settings& settings) {
   Run& run = work.driver.run;
   if (!hasBegun(run)) {
@@ -124,14 +135,13 @@ void change(SessionWork& work, const Settings& settings) {
     dropEventsAfter(work);
   } else {
     const Run& shown = work.before ? work.before->run : run;
-    const bool toEnd = isOver(shown) || work.driver.goal.kind == Goal::Kind::end;
-    const std::uint64_t tick = shown.state.tick;
+    const Goal where = sameWhere(shown, work.driver.goal);
     if (derives) {
       if (!startOver(work, run.state.domain, settings)) return;
     } else {
       replaceRun(work, branchOf(run, settings));
     }
-    return setOut(work, {.kind = toEnd ? Goal::Kind::end : Goal::Kind::tick, .tick = tick}, Activity::meshing);
+    return setOut(work, where, Activity::meshing);
   }
   if (!work.before && !isUnderWay(work)) tellState(work);
 }

@@ -81,6 +81,12 @@ void tellSearch(SessionWork& work, const MeshState& probe, std::optional<double>
   deliver(work, std::move(publication));
 }
 
+std::uint64_t firstEventHere(const Run& run) {
+  std::uint64_t first = run.events;
+  while (first > 0 && run.recorder.tickOfEvent(first - 1) == run.state.tick) --first;
+  return first;
+}
+
 void tellState(SessionWork& work) {
   const auto start = SessionWork::Clock::now();
   const Run& run = work.driver.run;
@@ -92,6 +98,7 @@ void tellState(SessionWork& work) {
   snapshot->quality = work.measured.quality;
   snapshot->last = run.last;
   snapshot->events = run.events;
+  snapshot->firstEvent = firstEventHere(run);
   Publication publication = news(work);
   work.told = snapshot;
   publication.snapshot = std::move(snapshot);

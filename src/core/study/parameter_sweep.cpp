@@ -45,7 +45,7 @@ Error noRange(std::string_view key, std::string_view text) {
 std::optional<SweepRow> carryOut(MeshState state, double omega, double theta, const std::atomic<bool>& cancel) {
   state.settings.omega = omega;
   state.settings.theta = theta;
-  if (!advanceUntil(state, state.method->stages.back(), cancel)) return std::nullopt;
+  if (!advanceUntil(state, Stage::refine, cancel)) return std::nullopt;
   const StageCounts& counts = state.counts[Stage::refine];
   return SweepRow{omega, theta, measure(state.mesh), counts.moved, counts.refused};
 }

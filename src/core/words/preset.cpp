@@ -25,7 +25,7 @@ constexpr std::array kStandard = std::to_array<PresetValue>({{"step4_area_ratio"
                                                              {"polish", "on"},
                                                              {"size", "ranks"},
                                                              {"placement", "circumcentre"},
-                                                             {"optimise", "off"}});
+                                                             {"optimise", "on"}});
 constexpr std::array kBest = std::to_array<PresetValue>({{"step4_area_ratio", "1.8"},
                                                          {"laplacian", "off"},
                                                          {"reduce_obtuse", "off"},

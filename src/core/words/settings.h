@@ -42,7 +42,7 @@ struct Settings {
   int refinePasses = 30;        // budget of passes of step 6
   SizeField size = SizeField::ranks;
   Placement placement = Placement::circumcentre;
-  bool optimise = false;       // after step 6, our own
+  bool optimise = true;        // after step 6, our own
   Dial dial = Dial::standard;  // what the optimiser aims at; each of the next four in its place where it is not 0
   double lowestAngle = 0.0;    // degrees
   double highestAngle = 0.0;   // degrees

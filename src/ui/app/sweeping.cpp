@@ -59,8 +59,10 @@ void Sweeping::moveCell(Action direction) {
 
 void Sweeping::takeCell() {
   const Settings settings = withPairOf(*desk_.ui.sweep.shown(), *desk_.ui.sweep.chosen, desk_.session.settings());
-  // The figures of the cell are those of the end.
-  if (desk_.shown->state.stage != Stage::finished) desk_.orders.emplace_back(command::Advance{Grain::all});
+  // The figures of the cell are those of where step 6 ends.
+  const MeshState& shown = desk_.shown->state;
+  const Stage after = settings.optimise ? Stage::optimise : Stage::finished;
+  if (shown.stage != after || shown.cursor.begun) desk_.orders.emplace_back(command::GoTo{after});
   if (settings != desk_.session.settings()) desk_.orders.emplace_back(command::Change{settings});
 }
 

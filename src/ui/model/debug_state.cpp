@@ -43,11 +43,11 @@ void update(Answers& answers, const Session& session, const std::optional<Ref>& 
   // Beyond the current decision the run may be known already.
   const Events run = session.runEvents();
   answers.birth = birthOf(run, *about);
-  const std::size_t last = events.empty() ? 0 : events.size() - 1;
+  // Those of the decision that led here are neither before nor after it.
   const std::vector<std::size_t> all = eventsAbout(run, *about);
-  const auto here = std::lower_bound(all.begin(), all.end(), last);
+  const auto here = std::lower_bound(all.begin(), all.end(), now->firstEvent);
   if (here != all.begin()) answers.previous = *(here - 1);
-  const auto after = here != all.end() && *here == last ? here + 1 : here;
+  const auto after = std::lower_bound(here, all.end(), now->events);
   if (after != all.end()) answers.next = *after;
 }
 

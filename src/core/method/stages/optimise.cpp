@@ -58,6 +58,7 @@ void beginOptimising(MeshState& state) {
   state.cursor.begun = true;
   const Quadtree& tree = state.tree;
   extendSizes(state, tree.corners.empty() ? continuousLengths(tree) : tree.corners);
+  fitSizes(state);
 }
 
 void beginPass(Optimiser& o) {

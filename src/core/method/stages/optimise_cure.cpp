@@ -21,6 +21,7 @@ constexpr std::uint64_t kAllEdits = 2000;
 constexpr std::uint64_t kTrianglesAnEdit = 2;
 constexpr std::uint64_t kAllPairs = 400;
 constexpr std::uint64_t kTrianglesAPair = 40;
+constexpr std::uint64_t kWorkOfATry = 128;  // in decisions of other kinds, MeshState::heavyWork
 
 // A sequence of edits around the patient, tried: rolled back by takeBack().
 struct Tried {
@@ -36,6 +37,7 @@ void takeBack(Optimiser& o, const EditMark& before) {
 Rule ruleOf(CureKind kind) { return static_cast<Rule>(static_cast<int>(Rule::cure_relax) + static_cast<int>(kind)); }
 
 EditMark beginTry(Optimiser& o) {
+  o.state.heavyWork += kWorkOfATry;
   beginEdits(o.work.room.log);
   o.work.room.touched.clear();
   return markOf(o.state.mesh, o.work.room.log);

@@ -1,10 +1,16 @@
 #include "core/method/stages/vertex_sizes.h"
 
+#include <cmath>
+
 #include "core/density/continuous_size.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
 namespace {
+
+constexpr double kEquilateralTwiceArea = 0.8660254037844386;  // over the squared edge
+
+constexpr int kFewestToFit = 24;  // triangles; the mean of fewer is the luck of a few points
 
 /// Mean length of the boundary edges that end in a vertex; 0 where none does.
 double boundaryLengthAt(const Mesh& mesh, Vertex vertex) {
@@ -30,6 +36,26 @@ void extendSizes(MeshState& state, const std::vector<CornerLengths>& corners) {
     const double real = boundaryLengthAt(mesh, v);
     if (real > 0.0) size = real < size ? real : 0.5 * (real + size);
   }
+}
+
+void fitSizes(MeshState& state) {
+  const Mesh& mesh = state.mesh;
+  const auto isInner = [&](Vertex v) { return !mesh.vertexEdge[v].exists(); };
+  double is = 0.0, wanted = 0.0;  // twice the areas
+  int looked = 0;
+  for (const Slot slot : mesh.triangles.keys()) {
+    if (!mesh.alive(slot)) continue;
+    const Corners<Vertex>& v = triangleAt(mesh, slot).v;
+    if (!isInner(v[0]) || !isInner(v[1]) || !isInner(v[2])) continue;
+    const double size = (state.sizes[v[0]] + state.sizes[v[1]] + state.sizes[v[2]]) / 3.0;
+    is += twiceArea(mesh, slot);
+    ++looked;
+    wanted += kEquilateralTwiceArea * size * size;
+  }
+  if (looked < kFewestToFit) return;
+  const double ratio = std::sqrt(is / wanted);
+  for (const Vertex v : state.sizes.keys())
+    if (isInner(v)) state.sizes[v] *= ratio;
 }
 
 }  // namespace triscope

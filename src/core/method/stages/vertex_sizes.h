@@ -10,4 +10,8 @@ namespace triscope {
 /// shorter than that, half where they are longer: what the input fixes so fades out from row to row.
 void extendSizes(MeshState& state, const std::vector<CornerLengths>& corners);
 
+/// Makes the lengths inside the domain those that the mesh has there on the whole: one ratio for all, so that no edge
+/// looks short or long for the mean length alone, which is 1.25 times what is wanted where circumcentres were taken.
+void fitSizes(MeshState& state);
+
 }  // namespace triscope
