@@ -11,7 +11,8 @@ namespace triscope {
 void extendSizes(MeshState& state, const std::vector<CornerLengths>& corners);
 
 /// Makes the lengths inside the domain those that the mesh has there on the whole: one ratio for all, so that no edge
-/// looks short or long for the mean length alone, which is 1.25 times what is wanted where circumcentres were taken.
+/// looks short or long for the mean length alone, which is up to 1.25 times what is wanted where circumcentres were
+/// taken.
 void fitSizes(MeshState& state);
 
 }  // namespace triscope
