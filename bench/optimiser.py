@@ -81,7 +81,7 @@ def main():
     print("# The optimiser\n\nWritten by `bench/optimiser.py`; run it again rather than edit this page. Seconds are those "
           "of all stages, nobody\nlistening, on one core; the machine is that of [the benchmarks](benchmarks.md), and "
           "figures in seconds are ±30 %.\nWhat the measures mean is said [here](measures.md); degrees are those of inner "
-          "vertices.")
+          "vertices, e/h is\n`edge_over_h_mean` and the column after it `edge_over_h_within`.")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         files = {}

@@ -1,6 +1,6 @@
-// How long a session takes to answer, without its thread and without a window: triscope_session_bench [DOMAIN], or else
-// the ring of a million triangles.
-// Milliseconds of processor time. The viewer here keeps what a window keeps of a run: the snapshot and the events.
+// How long a session takes to answer, without its thread and without a window: triscope_session_bench [PRESET
+// [DOMAIN]], standard and the ring of a million triangles unless told otherwise. Milliseconds of processor time. The
+// viewer here keeps what a window keeps of a run: the snapshot and the events.
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "core/domain/read.h"
 #include "core/run/event_log.h"
 #include "core/session/session_work.h"
+#include "core/words/preset.h"
 #include "process_cost.h"
 #include "ring.h"
 
@@ -71,8 +72,9 @@ std::vector<double> repeated(Viewer& viewer, const Command& command, int times) 
   return all;
 }
 
-int run(const Command& opens) {
+int run(const Settings& settings, const Command& opens) {
   Viewer viewer;
+  viewer.time(command::Change{settings});
   say("first mesh", viewer.time(opens));
   if (viewer.now == nullptr) return 1;
   const std::uint64_t end = viewer.now->state.tick;
@@ -104,6 +106,11 @@ int run(const Command& opens) {
 int main(int argc, char** argv) {
   using namespace triscope;
   constexpr double kVertices = 540'000.0;
-  if (argc == 2) return bench::run(command::OpenFile{argv[1]});
-  return bench::run(command::OpenDomain{bench::ring(bench::minEdgeFor(kVertices))});
+  Settings settings;
+  if (const Status known = applyPreset(settings, argc > 1 ? argv[1] : "standard"); !known.ok()) {
+    std::fprintf(stderr, "%s\n", describe(known.error()).c_str());
+    return 2;
+  }
+  if (argc > 2) return bench::run(settings, command::OpenFile{argv[2]});
+  return bench::run(settings, command::OpenDomain{bench::ring(bench::minEdgeFor(kVertices))});
 }

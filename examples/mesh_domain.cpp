@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
   Result<Domain> domain = readDomain(argv[1]);
   if (!domain) return fail(domain.error());
 
-  Settings settings;  // the paper's; core/words/settings.h says what can be set
+  Settings settings;  // the standard ones, optimised; core/words/settings.h says what can be set
   settings.omega = 0.1;
 
   // The state is a value: a copy of it, at any moment, can be carried on by itself.

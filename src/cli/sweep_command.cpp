@@ -17,6 +17,7 @@ ExitCode runCommand(const SweepCommand& options) {
   if (!omegas.ok()) return fail(omegas.error());
   const Result<std::vector<double>> thetas = rangeFrom("theta", options.theta);
   if (!thetas.ok()) return fail(thetas.error());
+  if (const Status sensible = canSweep(options.settings); !sensible.ok()) return fail(sensible.error());
   Result<MeshState> state = beginFile(options.domain, options.settings, options.notices);
   if (!state.ok()) return fail(state.error());
   OutputSet files;

@@ -29,6 +29,10 @@ class Sweep(program.ProgramTest):
             self.assertEqual(row["bounds_met"], "1" if report["bounds_met"] else "0")
             self.assertEqual(int(row["moved"]), next(s for s in report["stages"] if s["key"] == "refine")["moved"])
 
+    def test_without_step_6_there_is_nothing_to_sweep(self):
+        process = run("sweep", STEP, "--preset", "best", "--omega", "0.1:0.2:2", "--theta", "5")
+        self.assertIn("all of step 6 is off", self.expect(USAGE, process).stderr)
+
     def test_threads_do_not_show(self):
         outputs = {self.expect(OK, run("sweep", BLUNT_BODY, "--omega", "0.05:0.25:3", "--theta", "7.5", "-j", j)).stdout
                    for j in ("1", "2", "8")}

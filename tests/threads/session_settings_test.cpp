@@ -2,6 +2,7 @@
 // the change is given up.
 #include <gtest/gtest.h>
 
+#include "support/runs.h"
 #include "support/session_driver.h"
 
 namespace triscope::session_settings_test {
@@ -36,6 +37,33 @@ TEST(SessionSettings, WhereAStageBeginsAnotherMeshIsSeenThereToo) {
   }
   settings.optimise = false;
   EXPECT_EQ(doNow(session, command::Change{settings}).state.stage, Stage::finished) << "it begins no more";
+}
+
+// On the way to where a stage begins, from a keyframe before the stage that the change matters to.
+TEST(SessionSettings, AChangeOnTheWayToAStageEndsWhereItBeginsWithIt) {
+  const auto domain = support::domainAt(support::samples() / "annulus.json");
+  Settings settings;
+  settings.refinePasses = 3;  // so that no keyframe lies within step 6
+  for (const auto& [from, to] : {std::pair(0.05, 0.25), std::pair(0.25, 0.05)}) {
+    Session session;
+    settings.omega = from;
+    session.apply(command::Load{domain, settings, {}});
+    ASSERT_TRUE(session.settle(kForever));
+    settings.omega = to;
+    session.apply(command::GoTo{Stage::optimise});
+    const Snapshot& now = doNow(session, command::Change{settings});
+    EXPECT_EQ(hashOf(now.state), hashOf(support::after(domain, Stage::refine, settings)));
+  }
+}
+
+TEST(SessionSettings, AStageThatIsLeftOutIsMetByTheNextOne) {
+  const auto domain = square(0.5);
+  Session session;
+  doNow(session, command::OpenDomain{domain});
+  doNow(session, command::GoTo{Stage::front1});
+  Settings settings = session.settings();
+  settings.placement = Placement::spokes;
+  EXPECT_EQ(doNow(session, command::Change{settings}).state.stage, Stage::rows);
 }
 
 TEST(SessionSettings, AChangeWithNoDomainOpenIsForTheNextOne) {

@@ -9,6 +9,7 @@
 #include "core/domain/read.h"
 #include "core/run/driver.h"
 #include "core/run/travel.h"
+#include "support/runs.h"
 
 namespace triscope::history_test {
 namespace {
@@ -123,6 +124,25 @@ TEST(History, KeepsOneMoreKeyframeNearWhatWasSoughtLast) {
   }
   forgetWhatFollows(driver.run);
   EXPECT_LE(driver.run.history.before(~std::uint64_t{0}).state.tick, driver.run.state.tick);
+}
+
+// Among edits that are tried, some hundred decisions take as long as ten thousand others.
+TEST(History, KeepsItNearerWhereDecisionsTakeLong) {
+  Driver driver;
+  driver.run = runFrom(start("cracked_plate"), std::size_t{3} << 19);
+  std::vector<Event> fresh;
+  const auto go = [&](const Goal& goal) {
+    headFor(driver, goal);
+    while (!isThere(driver)) carryOn(driver, 1u << 20u, {}, fresh);
+  };
+  go({.kind = Goal::Kind::end});
+  const std::uint64_t tick = driver.run.state.tick - 700;
+  ASSERT_GT(driver.run.state.heavyWork, 100'000u);
+  ASSERT_GT(driver.run.history.spacing(), 16'384u) << "far apart, or there is nothing to see here";
+  go(towardsTick(driver.run, tick));
+  const MeshState& near = driver.run.history.before(tick).state;
+  EXPECT_LE(workOf(driver.run.state) - workOf(near), 16'384u);
+  EXPECT_EQ(driver.run.state.tick, tick);
 }
 
 }  // namespace

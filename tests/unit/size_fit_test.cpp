@@ -20,6 +20,12 @@ TEST(SizeFit, IsNothingBeforeThereIsATree) {
   EXPECT_EQ(fit.within, 0.0);
 }
 
+TEST(SizeFit, LeavesOutWhatReachesToTheBox) {
+  const SizeFit fit =
+      sizeFitOf(support::after(support::domainAt(support::samples() / "annulus.json"), Stage::recovery));
+  EXPECT_LT(fit.mean, 6.0);  // 17 with the box
+}
+
 TEST(SizeFit, CountsEveryInnerEdgeOnce) {
   const MeshState state = support::finished(support::domainFrom(support::kCrackedFrame), support::best());
   std::set<std::pair<Vertex, Vertex>> edges;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -72,7 +71,7 @@ std::string whereText(const MeshState& state, Slot slot) {
     return fmt::format("at the input angle of {:.1f}° at {}", angle->degrees, placeText(angle->at));
   const std::string place = fmt::format("at {}", placeText(centroidOf(state.mesh, slot)));
   const std::string feature = featureNear(state, slot);
-  return feature.empty() ? place + ", where no edit makes it better" : place + " beside " + feature;
+  return feature.empty() ? place : place + " beside " + feature;
 }
 
 bool isOptimised(const MeshState& state) { return state.settings.optimise && state.stage > Stage::optimise; }
@@ -116,8 +115,11 @@ std::string obtuseText(const MeshState& state, const Quality& quality) {
     ++counts[whereText(state, slot)];
   }
   std::vector<std::pair<std::size_t, std::string>> places;
+  places.reserve(counts.size());
   for (const auto& [where, count] : counts) places.emplace_back(count, where);
-  std::ranges::sort(places, std::ranges::greater());
+  std::ranges::sort(places, [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
   std::string text = fmt::format("{} obtuse triangle{}: ", quality.obtuse, quality.obtuse == 1 ? "" : "s");
   for (std::size_t k = 0; k < std::min(kPlaces, places.size()); ++k)
     text += fmt::format("{}{} {}", k == 0 ? "" : ", ", places[k].first, places[k].second);

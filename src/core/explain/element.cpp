@@ -59,8 +59,8 @@ std::vector<Line> ofVertex(const MeshState& state, Vertex vertex) {
   std::vector<Line> lines{linked(fmt::format("Vertex {} at {}: {}.", vertex, place(p),
                                              kVertexKinds[static_cast<std::size_t>(mesh.kinds[vertex])]))};
   if (const std::optional<Wanted> wanted = wantedAt(state.tree, p))
-    lines.push_back(linked(fmt::format("Edges of length h = {:.4g} are wanted here: density rank {}, in cell {}.",
-                                       wanted->length, wanted->rank, wanted->cell)));
+    lines.push_back(linked(fmt::format("Edges of length h = {:.4g} are wanted here, in cell {} of density rank {}.",
+                                       wanted->length, wanted->cell, wanted->rank)));
   Star star;
   starOf(mesh, vertex, star);
   std::string list;

@@ -215,7 +215,6 @@ constexpr std::array kStages = std::to_array<StageInfo>({
      .name = "finished",
      .key = "finished",
      .does = "the mesh is done",
-     .figure = "Figure 4 (f)",
      .shade = 0.5},
 });
 static_assert(kStages.size() == static_cast<std::size_t>(kStageCount));

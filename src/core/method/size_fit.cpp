@@ -1,6 +1,7 @@
 #include "core/method/size_fit.h"
 
 #include "core/mesh/edit.h"
+#include "core/mesh/inside_box.h"
 
 namespace triscope {
 
@@ -10,11 +11,12 @@ SizeFit sizeFitOf(const MeshState& state) {
   LeafPath path;
   std::size_t edges = 0, fitting = 0;
   double sum = 0.0;
+  const InsideBox inside(mesh);
   for (const Slot slot : mesh.triangles.keys()) {
-    if (!mesh.alive(slot)) continue;
+    if (!inside.has(slot)) continue;
     for (const Half half : halvesOf(slot)) {
       const Half across = oppositeOf(mesh, half);
-      if (!across.exists() || across < half || constrained(mesh, half)) continue;
+      if (!across.exists() || across < half || constrained(mesh, half) || !inside.has(triangleOf(across))) continue;
       const Point a = pointOf(mesh, startOf(mesh, half)), b = pointOf(mesh, endOf(mesh, half));
       const double ratio = distance(a, b) / edgeLengthAt(state.tree, midpoint(a, b), path);
       ++edges;

@@ -5,7 +5,8 @@
 
 namespace triscope {
 
-/// Of the edges that are no boundary: e/h, an edge's length over the length h wanted in its middle.
+/// Of the edges that are no boundary, nor lie in triangles at the corners of the box around everything: e/h, an edge's
+/// length over the length h wanted in its middle.
 struct SizeFit {
   double mean = 0.0;    // 0 where there is no such edge
   double within = 0.0;  // part of them with e/h in [1/√2, √2]

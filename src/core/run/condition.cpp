@@ -167,7 +167,7 @@ const std::vector<Word>& conditionWords() {
       {"triangles", Kind::number, false, "number of triangles"},
       {"vertices", Kind::number, false, "number of vertices made so far"},
       {"tick", Kind::number, false, "decisions made so far"},
-      {"round", Kind::number, true, "round of steps 2-5, or pass of step 6"},
+      {"round", Kind::number, true, "round of steps 2-5, or pass of step 6 or of the optimiser"},
       {"measured", Kind::number, true, "the value that the decision measured"},
       {"limit", Kind::number, true, "the limit that it was held against"},
       {"x", Kind::number, true, "where the event is"},

@@ -15,7 +15,9 @@ constexpr std::uint64_t kFirstSpacing = 1024;
 // tenth of the time of a decision: that is what keyframes may cost a run.
 constexpr std::size_t kLargeState = std::size_t{1} << 19;
 constexpr std::size_t kBytesPerDecision = 64;
-constexpr std::uint64_t kNear = 8192;  // decisions, made again in about the time that it takes to copy a large state
+constexpr std::uint64_t kNear = 8192;  // work that is done again in about the time that it takes to copy a large state
+constexpr std::uint64_t kLeastWay = 128;  // decisions: a shorter way is gone again at once
+constexpr std::uint64_t kNearest = 16;    // the next place to look at is so many times nearer: decisions may take long
 constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
 
 template <class T>
@@ -76,12 +78,15 @@ void History::take(const MeshState& state, std::uint64_t events) {
 }
 
 void History::aimAt(std::uint64_t tick, std::uint64_t from) {
-  const bool far = tick >= 2 * kNear && from < tick - 2 * kNear;
-  nearTick_ = far ? tick - kNear : kNowhere;
+  const std::uint64_t way = tick > from ? tick - from : 0;
+  nearTick_ = way >= kLeastWay ? tick - std::min(kNear, way / 2) : kNowhere;
+  sought_ = tick;
 }
 
 void History::takeNear(const MeshState& state, std::uint64_t events) {
-  nearTick_ = kNowhere;
+  const std::uint64_t left = sought_ - state.tick;
+  nearTick_ = left >= kNearest ? sought_ - left / kNearest : kNowhere;
+  if (workOf(state) - workOf(before(state.tick).state) < kNear) return;
   dropNear();
   const std::size_t size = bytesOf(state);
   while (bytes_ + size > budget_ && keyframes_.size() > 1) thin();

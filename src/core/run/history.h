@@ -47,7 +47,8 @@ class History {
   }
 
   /// A place is sought, from a state at `from`: on the way there one more keyframe is kept shortly before it, in the
-  /// place of the last one kept so, because one looks around where one has gone to.
+  /// place of the last one kept so, because one looks around where one has gone to. Where decisions take long, it is
+  /// kept nearer to it.
   void aimAt(std::uint64_t tick, std::uint64_t from);
 
   /// Drops the keyframes after a tick: what comes next is another run.
@@ -85,6 +86,7 @@ class History {
   std::uint64_t nextWork_ = 0;
   std::shared_ptr<const Keyframe> near_;           // before the place last sought; often none
   std::uint64_t nearTick_ = std::uint64_t{0} - 1;  // where the next such one is due
+  std::uint64_t sought_ = 0;                       // that place
 };
 
 }  // namespace triscope

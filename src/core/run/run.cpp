@@ -27,8 +27,10 @@ void rememberStage(Run& run) {
 }  // namespace
 
 double historyBytesAtMost(double triangles) {
-  constexpr double kEventsPerTriangle = 60.0;  // bytes, packed: a point comes with two triangles (docs/benchmarks.md)
-  return static_cast<double>(kHistoryBytes + kCheckpointBytes) + kEventsPerTriangle * triangles;
+  constexpr double kEventBytes = 30.0;         // packed
+  constexpr double kEventsPerTriangle = 13.0;  // most are the optimiser's
+  const double events = std::min(kEventsPerTriangle * triangles, static_cast<double>(kMostEvents));
+  return static_cast<double>(kHistoryBytes + kCheckpointBytes) + kEventBytes * events;
 }
 
 Run runFrom(MeshState start, std::size_t budget) {

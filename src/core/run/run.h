@@ -47,6 +47,8 @@ struct Run {
 };
 
 inline constexpr std::size_t kHistoryBytes = std::size_t{256} << 20u;
+/// Events that are kept of a run, about half a gigabyte; later ones are made, and not kept.
+inline constexpr std::size_t kMostEvents = 16'000'000;
 
 /// A run at its start. `start` is a state at tick 0; `budget` is that of the keyframes, in bytes.
 Run runFrom(MeshState start, std::size_t budget = kHistoryBytes);

@@ -113,7 +113,11 @@ void open(SessionWork& work, std::shared_ptr<const Domain> domain) {
 Goal sameWhere(const Run& run, const Goal& goal) {
   const MeshState& state = run.state;
   const auto entry = [](Stage stage) { return Goal{.kind = Goal::Kind::entry, .tick = kUnknown, .stage = stage}; };
-  if (goal.kind == Goal::Kind::entry && !arrived(run, goal)) return entry(goal.stage);
+  const bool isHeaded = !arrived(run, goal);
+  if (isHeaded && goal.kind == Goal::Kind::entry && !inRounds(goal.stage)) return entry(goal.stage);
+  if (isHeaded && goal.kind == Goal::Kind::entry && goal.tick != kUnknown)
+    return {.kind = Goal::Kind::tick, .tick = goal.tick};
+  if (isHeaded && goal.kind == Goal::Kind::tick) return goal;
   if (isOver(run) || goal.kind == Goal::Kind::end) return {.kind = Goal::Kind::end};
   if (!state.cursor.begun && state.tick > 0 && !inRounds(state.stage)) return entry(state.stage);
   return {.kind = Goal::Kind::tick, .tick = state.tick};
@@ -132,6 +136,8 @@ void change(SessionWork& work, const Settings& settings) {
     run.state.settings = settings;
   } else if (!derives && !hasComeTo(run.state, first)) {
     takeOver(run, settings);
+    // A run with these may come to where it is headed after another number of decisions.
+    if (Goal& goal = work.driver.goal; goal.kind == Goal::Kind::entry && !inRounds(goal.stage)) goal.tick = kUnknown;
     dropEventsAfter(work);
   } else {
     const Run& shown = work.before ? work.before->run : run;

@@ -8,22 +8,37 @@
 namespace triscope {
 namespace {
 
-/// How far the run is, from 0 to 1: insertions make up most of it, step 6 and the optimiser the rest.
-double fractionDone(const MeshState& s) {
+/// How far the run is up to step 6, from 0 to 1: insertions make up most of it.
+double fractionOfSteps(const MeshState& s) {
   constexpr double kSearch = 0.1;  // for constraints: next to nothing for a few curves, most of the time for thousands
   constexpr double kInsertions = 0.85;
-  if (s.stage == Stage::finished) return 1.0;
   if (s.stage == Stage::constraints && s.domain)
     return s.cursor.begun ? kSearch * fractionOf(s.search, *s.domain) : 0.0;
   if (refinesMesh(s.stage)) {
     const double passes = std::max(1, s.settings.refinePasses);
     return kInsertions + (1.0 - kInsertions) * std::min(1.0, static_cast<double>(s.round) / passes);
   }
-  if (optimisesMesh(s.stage))
-    return kInsertions + (1.0 - kInsertions) * std::min(1.0, static_cast<double>(s.round) / optimiserPasses());
   if (s.stage < Stage::front1 || s.estimatedTriangles <= 0.0) return kSearch;
   const double made = std::min(1.0, static_cast<double>(s.mesh.liveCount()) / s.estimatedTriangles);
   return kSearch + (kInsertions - kSearch) * made;
+}
+
+/// How far the run is, from 0 to 1. An optimiser takes about as long as all that comes before it.
+double fractionDone(const MeshState& s) {
+  const double steps = s.settings.optimise ? 0.5 : 1.0;
+  if (s.stage == Stage::finished) return 1.0;
+  if (!optimisesMesh(s.stage)) return steps * fractionOfSteps(s);
+  return steps + (1.0 - steps) * std::min(1.0, static_cast<double>(s.round) / optimiserPasses());
+}
+
+/// What follows the last decision, the end of a stage, belongs to it.
+std::uint64_t firstEventHere(const Run& run) {
+  std::uint64_t first = run.events;
+  for (; first > 0; --first) {
+    const std::optional<std::uint64_t> tick = run.recorder.tickOfEvent(first - 1);
+    if (tick && *tick < run.state.tick) break;
+  }
+  return first;
 }
 
 Progress progressAt(const SessionWork& work, const MeshState& state) {
@@ -79,12 +94,6 @@ void tellSearch(SessionWork& work, const MeshState& probe, std::optional<double>
   publication.settings = probe.settings;
   publication.domain = probe.domain;
   deliver(work, std::move(publication));
-}
-
-std::uint64_t firstEventHere(const Run& run) {
-  std::uint64_t first = run.events;
-  while (first > 0 && run.recorder.tickOfEvent(first - 1) == run.state.tick) --first;
-  return first;
 }
 
 void tellState(SessionWork& work) {

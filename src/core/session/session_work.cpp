@@ -15,10 +15,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr auto kSlice = milliseconds(5);         // a slice is not interrupted: this bounds how late a cancel is
-constexpr auto kFrame = milliseconds(33);        // playing: no use in publishing more often than it is drawn
-constexpr auto kLongStep = milliseconds(250);    // stepping: how often a long step shows how far it is
-constexpr std::size_t kMostEvents = 16'000'000;  // about half a gigabyte; later events are made but not kept
+constexpr auto kSlice = milliseconds(5);       // a slice is not interrupted: this bounds how late a cancel is
+constexpr auto kFrame = milliseconds(33);      // playing: no use in publishing more often than it is drawn
+constexpr auto kLongStep = milliseconds(250);  // stepping: how often a long step shows how far it is
 constexpr std::uint64_t kUntilEnough = ~std::uint64_t{0};
 
 /// Decisions that are due, by the time since the last slice.

@@ -85,6 +85,13 @@ Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view tex
   return values;
 }
 
+Status canSweep(const Settings& settings) {
+  if (infoOf(Stage::refine).wanted(settings)) return success();
+  return Error{.kind = ErrorKind::usage,
+               .message = "all of step 6 is off, so omega and theta change nothing",
+               .hint = "turn laplacian or reduce_obtuse on"};
+}
+
 bool precedesRefinement(const MeshState& state, const Settings& settings) {
   return !hasComeTo(state, Stage::refine) && firstAffected(state.settings, settings) >= Stage::refine;
 }

@@ -33,6 +33,9 @@ struct SweepRow {
 /// holds for every value.
 Result<std::vector<double>> rangeFrom(std::string_view key, std::string_view text);
 
+/// An error (usage) where nothing of step 6 is on, as with the preset best: ω and θ would change nothing.
+Status canSweep(const Settings& settings);
+
 /// Whether a run that is carried on from this state with these settings is a whole run with them: step 6 has not begun,
 /// and no setting differs that could have mattered to what has been done.
 bool precedesRefinement(const MeshState& state, const Settings& settings);

@@ -37,7 +37,8 @@ constexpr std::array kBest = std::to_array<PresetValue>({{"step4_area_ratio", "1
 
 constexpr std::array kPresets = std::to_array<Preset>({
     {"paper", "Paper", "The method of the paper and nothing of our own.", kPaper},
-    {"standard", "Standard", "The method of the paper, with what is our own where the paper leaves a gap.", kStandard},
+    {"standard", "Standard",
+     "The method of the paper, with what is our own where it leaves a gap, and optimised after it.", kStandard},
     {"best", "Best", "Rows of points along the boundary, optimised: no obtuse triangle, in the shortest time.", kBest},
 });
 

@@ -87,7 +87,7 @@ inline constexpr auto kRunActions = std::to_array<ActionInfo>({
      Menu::run,
      "round",
      "Next round",
-     "Carries on to the end of this round of steps 2 to 5, or pass of step 6.",
+     "Carries on to the end of this round of steps 2 to 5, or pass of step 6 or of the optimiser.",
      {{{GLFW_KEY_N, GLFW_MOD_SHIFT}}},
      when::goesOn,
      [](Parts& p) { apply(p, command::Advance{Grain::round}); }},

@@ -32,6 +32,7 @@ std::vector<SweepJob::Cell> SweepJob::take() {
 }
 
 Status SweepJob::carryOut(const Task& task, const std::function<void()>& wake) {
+  if (const Status sensible = canSweep(task.settings); !sensible.ok()) return sensible.error();
   MeshState state;
   if (task.from != nullptr) {
     state = *task.from;

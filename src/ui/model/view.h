@@ -134,7 +134,7 @@ struct RunView {
   [[nodiscard]] bool inInsertion() const;
   /// The stage that is told of: inside an insertion its own, whatever came before it. There must be a mesh.
   [[nodiscard]] Stage stage() const { return inInsertion() ? ui.insertion.now->event.stage : stageOf(*now()); }
-  /// Of steps 2 to 5, or the pass of step 6, likewise.
+  /// Of steps 2 to 5, or the pass of a stage that moves points, likewise.
   [[nodiscard]] int round() const { return inInsertion() ? ui.insertion.now->event.round : now()->state.round; }
 };
 

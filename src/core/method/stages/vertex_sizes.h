@@ -10,9 +10,9 @@ namespace triscope {
 /// shorter than that, half where they are longer: what the input fixes so fades out from row to row.
 void extendSizes(MeshState& state, const std::vector<CornerLengths>& corners);
 
-/// Makes the lengths inside the domain those that the mesh has there on the whole: one ratio for all, so that no edge
-/// looks short or long for the mean length alone, which is up to 1.25 times what is wanted where circumcentres were
-/// taken.
+/// Makes the lengths inside the domain those that the mesh has there on the whole: one ratio for all, by area, so that
+/// no edge looks short or long for the mean length alone, which is up to 1.25 times what is wanted where circumcentres
+/// were taken.
 void fitSizes(MeshState& state);
 
 }  // namespace triscope
