@@ -13,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from gmsh_peer import GMSH, mesh_with_gmsh, read_msh2
+from gmsh_peer import GMSH, mesh_with_gmsh, read_msh2, sides
 from process_bench import RING
 
 STEP_6 = "laplacian reduce_obtuse shared_edge polish".split()
@@ -29,7 +29,7 @@ def inner_degrees(path):
     degree, edges = collections.Counter(), collections.Counter()
     for corners in read_msh2(path)[1]:
         degree.update(corners)
-        for a, b in zip(corners, corners[1:] + corners[:1]):
+        for a, b in sides(corners):
             edges[(a, b) if a < b else (b, a)] += 1
     border = {v for edge, sides in edges.items() if sides == 1 for v in edge}
     return collections.Counter(n for v, n in degree.items() if v not in border)

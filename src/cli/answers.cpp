@@ -12,6 +12,7 @@
 #include "core/base/shown_text.h"
 #include "core/explain/caption.h"
 #include "core/explain/element.h"
+#include "core/explain/fields.h"
 #include "core/explain/life.h"
 #include "core/explain/why.h"
 #include "core/io/events_file.h"
@@ -35,10 +36,8 @@ std::vector<Line> worstLines(const Mesh& mesh, const Quality& quality) {
   for (const WorstMeasure& worst : worstOf(quality)) {
     std::string text = fmt::format("Worst {}: {:.4g}, which is {} the bound {:g}", worst.name, worst.value,
                                    worst.met() ? "within" : "beyond", worst.bound);
-    if (worst.slot.exists()) {
-      const Point at = centroidOf(mesh, worst.slot);
-      text += fmt::format(", of triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
-    }
+    if (worst.slot.exists())
+      text += fmt::format(", of triangle {} at {}", idOf(mesh, worst.slot), placeText(centroidOf(mesh, worst.slot)));
     lines.push_back(linked(text + "."));
   }
   return lines;

@@ -6,6 +6,7 @@
 #include "core/base/index_text.h"
 #include "core/domain/read.h"
 #include "core/explain/bound_text.h"
+#include "core/explain/fields.h"
 #include "core/io/against_domain.h"
 #include "core/io/mesh_from.h"
 #include "core/io/read_mesh.h"
@@ -21,10 +22,8 @@ void printCount(std::string_view key, std::size_t value) { answer("{:<18} {}\n",
 void printBounded(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
   const std::string key = fmt::format("{}_{}", worst.key, worst.key.ends_with("angle") ? "deg" : "max");
   answer("{:<18} {:<12.7g} {:<7} {:<8}", key, worst.value, limitText(worst), worst.met() ? "met" : "not met");
-  if (worst.slot.exists()) {
-    const Point at = centroidOf(mesh, worst.slot);
-    answer(" triangle {} at ({:.6g}, {:.6g})", idOf(mesh, worst.slot), at.x, at.y);
-  }
+  if (worst.slot.exists())
+    answer(" triangle {} at {}", idOf(mesh, worst.slot), placeText(centroidOf(mesh, worst.slot)));
   const std::string excuse = excuseText(mesh, quality, worst);
   answer("{}{}\n", excuse.empty() ? "" : ", ", excuse);
 }
@@ -43,8 +42,7 @@ void printFigures(const Mesh& mesh, const Quality& q) {
 bool printVerdict(std::string_view key, const std::vector<Violation>& violations) {
   answer("{:<18} {}\n", key, violations.empty() ? "yes" : "no");
   for (const Violation& violation : violations) {
-    const std::string place =
-        violation.at ? fmt::format("at ({:.6g}, {:.6g}): ", violation.at->x, violation.at->y) : "";
+    const std::string place = violation.at ? fmt::format("at {}: ", placeText(*violation.at)) : "";
     answer("  {}{}\n", place, violation.message);
   }
   return violations.empty();

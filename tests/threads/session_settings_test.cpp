@@ -24,12 +24,17 @@ TEST(SessionSettings, AChangeOfSettingsGivesTheMeshOfAFreshRun) {
   EXPECT_EQ(hashOf(doNow(session, command::Change{settings}).state), hashOf(straightRun(domain, settings, nullptr)));
 }
 
+/// Opens a domain and goes to where a stage begins; returns the settings in force.
+Settings openAt(Session& session, const std::shared_ptr<const Domain>& domain, Stage stage) {
+  doNow(session, command::OpenDomain{domain});
+  doNow(session, command::GoTo{stage});
+  return session.settings();
+}
+
 TEST(SessionSettings, WhereAStageBeginsAnotherMeshIsSeenThereToo) {
   const auto domain = square(0.5);
   Session session;
-  doNow(session, command::OpenDomain{domain});
-  doNow(session, command::GoTo{Stage::optimise});
-  Settings settings = session.settings();
+  Settings settings = openAt(session, domain, Stage::optimise);
   for (const double omega : {0.05, 0.25}) {
     settings.omega = omega;
     const Snapshot& now = doNow(session, command::Change{settings});
@@ -57,11 +62,8 @@ TEST(SessionSettings, AChangeOnTheWayToAStageEndsWhereItBeginsWithIt) {
 }
 
 TEST(SessionSettings, AStageThatIsLeftOutIsMetByTheNextOne) {
-  const auto domain = square(0.5);
   Session session;
-  doNow(session, command::OpenDomain{domain});
-  doNow(session, command::GoTo{Stage::front1});
-  Settings settings = session.settings();
+  Settings settings = openAt(session, square(0.5), Stage::front1);
   settings.placement = Placement::spokes;
   EXPECT_EQ(doNow(session, command::Change{settings}).state.stage, Stage::rows);
 }

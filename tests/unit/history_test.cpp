@@ -94,6 +94,12 @@ TEST(History, ChangingTheSmallestEdgeKeepsTheStartOnly) {
   EXPECT_EQ(history.count(), 1u);
 }
 
+void go(Driver& driver, const Goal& goal) {
+  std::vector<Event> fresh;
+  headFor(driver, goal);
+  while (!isThere(driver)) carryOn(driver, 1u << 20u, {}, fresh);
+}
+
 TEST(History, KeepsOneMoreKeyframeNearWhatWasSoughtLast) {
   constexpr std::uint64_t kStride = 509;
   const std::size_t budget = std::size_t{5} << 19;
@@ -101,25 +107,20 @@ TEST(History, KeepsOneMoreKeyframeNearWhatWasSoughtLast) {
   const Forward forward = runForward(first, budget, kStride);
   Driver driver;
   driver.run = runFrom(first, budget);
-  std::vector<Event> fresh;
-  const auto go = [&](const Goal& goal) {
-    headFor(driver, goal);
-    while (!isThere(driver)) carryOn(driver, 1u << 20u, {}, fresh);
-  };
-  go({.kind = Goal::Kind::end});
+  go(driver, {.kind = Goal::Kind::end});
   ASSERT_GT(driver.run.history.spacing(), 4000u) << "far apart, or there is nothing to see here";
   for (std::size_t k = 0; k < 40; ++k) {
     const std::size_t place = (k * 29 + 17) % forward.hashes.size();
     const std::uint64_t tick = place * kStride;
-    go(towardsTick(driver.run, tick));
+    go(driver, towardsTick(driver.run, tick));
     ASSERT_EQ(hashOf(driver.run.state), forward.hashes[place]) << "sought decision " << tick;
     EXPECT_LE(driver.run.history.bytes(), budget);
     const std::uint64_t near = driver.run.history.before(tick).state.tick;
     EXPECT_LE(tick - near, 16'384u) << tick;
     // Back over it, and to the place again.
-    for (int back = 0; back < 3; ++back) go(Goal(triscope::back(driver.run, Grain::decision)));
+    for (int back = 0; back < 3; ++back) go(driver, Goal(triscope::back(driver.run, Grain::decision)));
     EXPECT_EQ(driver.run.state.tick, tick >= 3 ? tick - 3 : 0);
-    go(towardsTick(driver.run, tick));
+    go(driver, towardsTick(driver.run, tick));
     ASSERT_EQ(hashOf(driver.run.state), forward.hashes[place]);
   }
   forgetWhatFollows(driver.run);
@@ -130,16 +131,11 @@ TEST(History, KeepsOneMoreKeyframeNearWhatWasSoughtLast) {
 TEST(History, KeepsItNearerWhereDecisionsTakeLong) {
   Driver driver;
   driver.run = runFrom(start("cracked_plate"), std::size_t{3} << 19);
-  std::vector<Event> fresh;
-  const auto go = [&](const Goal& goal) {
-    headFor(driver, goal);
-    while (!isThere(driver)) carryOn(driver, 1u << 20u, {}, fresh);
-  };
-  go({.kind = Goal::Kind::end});
+  go(driver, {.kind = Goal::Kind::end});
   const std::uint64_t tick = driver.run.state.tick - 700;
   ASSERT_GT(driver.run.state.heavyWork, 100'000u);
   ASSERT_GT(driver.run.history.spacing(), 16'384u) << "far apart, or there is nothing to see here";
-  go(towardsTick(driver.run, tick));
+  go(driver, towardsTick(driver.run, tick));
   const MeshState& near = driver.run.history.before(tick).state;
   EXPECT_LE(workOf(driver.run.state) - workOf(near), 16'384u);
   EXPECT_EQ(driver.run.state.tick, tick);

@@ -10,18 +10,17 @@
 
 #include "core/base/shown_text.h"
 #include "core/domain/loop_of.h"
+#include "core/explain/bound_text.h"
+#include "core/explain/fields.h"
 #include "core/mesh/centroid.h"
 #include "core/mesh/edit.h"
 #include "core/optimise/penalty.h"
 #include "core/quality/bound_figure.h"
-#include "core/quality/input_angle.h"
 
 namespace triscope {
 namespace {
 
 constexpr std::size_t kPlaces = 5;
-
-std::string placeText(Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
 /// An input angle below 60° that the triangle lies in, or else touches.
 std::optional<InputAngle> inputAngleAt(const Mesh& mesh, Slot slot) {
@@ -67,8 +66,7 @@ std::string featureNear(const MeshState& state, Slot slot) {
 }
 
 std::string whereText(const MeshState& state, Slot slot) {
-  if (const std::optional<InputAngle> angle = inputAngleAt(state.mesh, slot))
-    return fmt::format("at the input angle of {:.1f}° at {}", angle->degrees, placeText(angle->at));
+  if (const std::optional<InputAngle> angle = inputAngleAt(state.mesh, slot)) return inputAngleText(*angle);
   const std::string place = fmt::format("at {}", placeText(centroidOf(state.mesh, slot)));
   const std::string feature = featureNear(state, slot);
   return feature.empty() ? place : place + " beside " + feature;

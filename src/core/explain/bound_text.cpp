@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/quality/input_angle.h"
+#include "core/explain/fields.h"
 
 namespace triscope {
 namespace {
@@ -22,22 +22,22 @@ std::string limitText(const WorstMeasure& worst) {
   return fmt::format("{} {:g}", worst.upper ? "<" : ">", worst.bound);
 }
 
+std::string inputAngleText(const InputAngle& angle) {
+  return fmt::format("at the input angle of {:.1f}° at {}", angle.degrees, placeText(angle.at));
+}
+
 std::string excuseText(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
   if (worst.met() || !worst.slot.exists()) return {};
   std::optional<InputAngle> angle = smallInputAngle(mesh, worst.slot);
   if (!angle && worst.key == "area_ratio") angle = smallInputAngle(mesh, quality.areaRatioOther);
   if (!angle) return {};
-  return fmt::format("at the input angle of {:.1f}° at ({:.6g}, {:.6g}), below 60°: {}", angle->degrees, angle->at.x,
-                     angle->at.y,
+  return fmt::format("{}, below 60°: {}", inputAngleText(*angle),
                      angle->degrees <= hopelessAngle(worst) ? "no mesh can meet it there" : "it is not promised there");
 }
 
 std::string unmetText(const Mesh& mesh, const Quality& quality, const WorstMeasure& worst) {
   std::string where = excuseText(mesh, quality, worst);
-  if (where.empty() && worst.slot.exists()) {
-    const Point place = centroidOf(mesh, worst.slot);
-    where = fmt::format("at ({:.6g}, {:.6g})", place.x, place.y);
-  }
+  if (where.empty() && worst.slot.exists()) where = fmt::format("at {}", placeText(centroidOf(mesh, worst.slot)));
   return fmt::format("{} {:.4g}, not {}, {}", worst.name, worst.value, limitText(worst), where);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/index_text.h"
 #include "core/density/wanted.h"
+#include "core/explain/fields.h"
 #include "core/explain/why.h"
 #include "core/mesh/edit.h"
 
@@ -25,15 +26,13 @@ constexpr std::array<std::string_view, 8> kVertexKinds{// in the order of Vertex
 constexpr std::array<std::string_view, 4> kCellTypes{"outside", "boundary", "adjacent to the boundary",
                                                      "interior"};  // in the order of CellType
 
-std::string place(Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
-
 double areaOf(const Mesh& mesh, Slot slot) { return 0.5 * std::fabs(twiceArea(mesh, slot)); }
 
 std::vector<Line> ofTriangle(const Mesh& mesh, Slot slot) {
   const Triangle& t = triangleAt(mesh, slot);
   const TriangleQuality q = qualityOf(mesh, slot);
   std::vector<Line> lines{linked(fmt::format("Triangle {} joins vertices {}, {} and {} around {}.", idOf(mesh, slot),
-                                             t.v[0], t.v[1], t.v[2], place(centroidOf(mesh, slot)))),
+                                             t.v[0], t.v[1], t.v[2], placeText(centroidOf(mesh, slot)))),
                           linked(fmt::format("Circumradius R = {:.4g}, inradius r = {:.4g}, aspect ratio R/r = {:.4g}.",
                                              q.circumradius, q.inradius, q.aspect)),
                           linked(fmt::format("Shortest edge e = {:.4g}, longest {:.4g}, edge ratio {:.4g}.", q.shortest,
@@ -56,7 +55,7 @@ std::vector<Line> ofTriangle(const Mesh& mesh, Slot slot) {
 std::vector<Line> ofVertex(const MeshState& state, Vertex vertex) {
   const Mesh& mesh = state.mesh;
   const Point p = pointOf(mesh, vertex);
-  std::vector<Line> lines{linked(fmt::format("Vertex {} at {}: {}.", vertex, place(p),
+  std::vector<Line> lines{linked(fmt::format("Vertex {} at {}: {}.", vertex, placeText(p),
                                              kVertexKinds[static_cast<std::size_t>(mesh.kinds[vertex])]))};
   if (const std::optional<Wanted> wanted = wantedAt(state.tree, p))
     lines.push_back(linked(fmt::format("Edges of length h = {:.4g} are wanted here, in cell {} of density rank {}.",
@@ -72,7 +71,7 @@ std::vector<Line> ofVertex(const MeshState& state, Vertex vertex) {
 std::vector<Line> ofCell(const MeshState& state, const Cell& cell, std::uint32_t index) {
   std::vector<Line> lines{
       linked(fmt::format("Cell {} of rank {}, side {:.4g}, lower left corner {}.", index, cell.rank,
-                         state.tree.side(cell), place(state.tree.corner(cell)))),
+                         state.tree.side(cell), placeText(state.tree.corner(cell)))),
       linked(fmt::format("Density rank {}: edges of length h = {:.4g}, about {:.3g} triangles in a whole cell.",
                          cell.density, edgeLengthOf(state.tree, cell.density),
                          trianglesInCell(cell.rank, cell.density)))};

@@ -124,5 +124,6 @@ std::string filled(std::string_view text, const Event& event) {
 std::string shortNumber(double value) { return fmt::format("{:.4g}", value); }
 
 std::string shortPlace(Point p) { return fmt::format("({:.4g}, {:.4g})", p.x, p.y); }
+std::string placeText(Point p) { return fmt::format("({:.6g}, {:.6g})", p.x, p.y); }
 
 }  // namespace triscope

@@ -16,5 +16,7 @@ bool isField(std::string_view name);
 /// "1.98": four significant digits are what a reader can compare at a glance.
 std::string shortNumber(double value);
 std::string shortPlace(Point p);
+/// "(0.1, 2.98765)": six digits, to find the place again.
+std::string placeText(Point p);
 
 }  // namespace triscope

@@ -4,6 +4,7 @@
 
 #include "core/base/shown_text.h"
 #include "core/domain/loop_of.h"
+#include "core/explain/fields.h"
 #include "core/mesh/edit.h"
 
 namespace triscope {
@@ -35,8 +36,8 @@ std::string undercutText(const MeshState& state, const Quality& quality) {
   const std::string why =
       edge.exists() ? fmt::format("it is a piece of '{}'", shown(loopOf(*state.domain, mesh.edges[edge].curve).name))
                     : "it is near kept edges, a gap or a sharp corner that leave no room for longer ones";
-  return fmt::format("the shortest edge, {:.4g} at ({:.6g}, {:.6g}), is below the min_edge_length given, {:g}: {}",
-                     quality.minEdge, middle.x, middle.y, state.minEdge, why);
+  return fmt::format("the shortest edge, {:.4g} at {}, is below the min_edge_length given, {:g}: {}", quality.minEdge,
+                     placeText(middle), state.minEdge, why);
 }
 
 }  // namespace triscope

@@ -15,8 +15,7 @@ constexpr StepLimits kCentreStep{0.35, 0.004, 0.01, 1e-3};
 constexpr StepLimits kShapeStep{0.25, 0.004, 0.008, 0.05};
 
 constexpr int kHalvings = 3;
-constexpr double kSizeWeight = 0.5;                  // of S* in the sum of shapes
-constexpr double kEquilateral = 0.8660254037844386;  // twice the area over the squared edge
+constexpr double kSizeWeight = 0.5;  // of S* in the sum of shapes
 
 bool keepsFloor(const Ring& ring, Point hub, double floor) {
   for (int k = 0; k < ring.count; ++k)

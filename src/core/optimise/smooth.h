@@ -5,6 +5,9 @@
 
 namespace triscope {
 
+/// Of an equilateral triangle: twice the area over the squared edge.
+inline constexpr double kEquilateral = 0.8660254037844386;
+
 enum class StepKind : std::uint8_t {
   still,    // the place is not worth moving to
   moves,    // to `to`, where every triangle of the star keeps its floor

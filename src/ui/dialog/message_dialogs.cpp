@@ -6,6 +6,7 @@
 
 #include "core/base/capitalised.h"
 #include "core/base/version.h"
+#include "core/explain/fields.h"
 #include "ui/dialog/dialogs.h"
 #include "ui/kit/widgets.h"
 
@@ -24,7 +25,7 @@ std::string placeOf(const Error& error) {
   const auto add = [&text](const std::string& part) { text += text.empty() ? part : ", " + part; };
   if (!error.loop.empty()) add(fmt::format("loop '{}'", error.loop));
   if (error.point >= 0) add(fmt::format("point {}", error.point));
-  if (error.at) add(fmt::format("at ({:.6g}, {:.6g})", error.at->x, error.at->y));
+  if (error.at) add(fmt::format("at {}", placeText(*error.at)));
   return text;
 }
 

@@ -4,11 +4,10 @@
 
 #include "core/density/continuous_size.h"
 #include "core/mesh/edit.h"
+#include "core/optimise/smooth.h"
 
 namespace triscope {
 namespace {
-
-constexpr double kEquilateralTwiceArea = 0.8660254037844386;  // over the squared edge
 
 constexpr int kFewestToFit = 24;  // triangles; the mean of fewer is the luck of a few points
 
@@ -50,7 +49,7 @@ void fitSizes(MeshState& state) {
     const double size = (state.sizes[v[0]] + state.sizes[v[1]] + state.sizes[v[2]]) / 3.0;
     is += twiceArea(mesh, slot);
     ++looked;
-    wanted += kEquilateralTwiceArea * size * size;
+    wanted += kEquilateral * size * size;
   }
   if (looked < kFewestToFit) return;
   const double ratio = std::sqrt(is / wanted);
